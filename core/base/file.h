@@ -1,0 +1,21 @@
+// Whole files in, whole files out. Writing is atomic: a temporary file in the same folder, fsync,
+// rename, fsync of the folder; a failure leaves the old file as it was and no temporary behind.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/base/bytes.h"
+#include "core/base/result.h"
+
+namespace voxprite {
+
+// Files larger than this are refused before anything is allocated.
+inline constexpr std::uint64_t kMaxFileBytes = std::uint64_t{4} << 30;
+
+[[nodiscard]] Result<Bytes> readFile(const std::filesystem::path& path);
+[[nodiscard]] Result<std::string> readTextFile(const std::filesystem::path& path);
+[[nodiscard]] Status writeFileAtomically(const std::filesystem::path& path, ByteView bytes);
+[[nodiscard]] Status writeFileAtomically(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace voxprite

@@ -1,0 +1,110 @@
+// Every change to a document or profile is an Action that the history executes; nothing else
+// changes them. Each action holds its before and after, so undo and redo are exact.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/model/document.h"
+#include "core/model/game_profile.h"
+
+namespace voxprite {
+
+struct VoxelChange {
+    glm::ivec3 position{0};  // model space
+    std::uint8_t before = 0;
+    std::uint8_t after = 0;
+    bool operator==(const VoxelChange&) const = default;
+};
+
+// Sparse before/after of one model. No position twice, no change with before == after.
+struct VoxelPatch {
+    int model = 0;
+    std::vector<VoxelChange> changes;
+};
+
+// A whole value replaced by another of its kind.
+struct PaletteEdit { Palette before, after; };
+struct EntityEdit { Entity before, after; };
+struct ProfileEdit { GameProfile before, after; };
+// The scene graph with its layers and clips; models themselves are only ever appended or, on undo,
+// removed again (`addedModels` are the ones that stand behind modelsBefore).
+struct SceneState {
+    std::vector<SceneNode> nodes;
+    std::vector<Layer> layers;
+    std::vector<Clip> clips;
+    bool operator==(const SceneState&) const = default;
+};
+struct SceneEdit {
+    SceneState before, after;
+    std::size_t modelsBefore = 0;
+    std::vector<Model> addedModels;
+};
+
+struct Action {
+    std::string label;  // "Attach 12 voxels"; shown in the history panel
+    std::vector<std::variant<VoxelPatch, PaletteEdit, EntityEdit, ProfileEdit, SceneEdit>> parts;
+    // Actions with the same non-zero key that follow each other become one step (a slider drag, a
+    // stroke of the brush). A new stroke takes a new key.
+    std::uint64_t mergeKey = 0;
+
+    [[nodiscard]] std::size_t bytes() const;  // memory held, about
+};
+
+// What the artist edits.
+struct Workspace {
+    Document document = Document::withEmptyModel();
+    GameProfile profile;
+};
+
+// What a step changed, for those who keep something derived from the workspace.
+struct Changed {
+    struct Voxels {
+        int model = 0;
+        std::vector<glm::ivec3> positions;  // model space
+    };
+    std::vector<Voxels> voxels;
+    bool palette = false;
+    bool entity = false;
+    bool profile = false;
+    bool scene = false;  // placements, visibility, models: rebuild what depends on them
+
+    [[nodiscard]] bool any() const {
+        return !voxels.empty() || palette || entity || profile || scene;
+    }
+};
+
+class History {
+  public:
+    // Applies `action` and records it; an action that changes nothing is not recorded. Drops the
+    // redoable steps, and the oldest ones while more than memoryLimitBytes() are held.
+    Changed execute(Workspace& workspace, Action action);
+    // Nothing to undo or redo: returns nothing changed.
+    Changed undo(Workspace& workspace);
+    Changed redo(Workspace& workspace);
+
+    [[nodiscard]] bool canUndo() const { return position_ > 0; }
+    [[nodiscard]] bool canRedo() const { return position_ < steps_.size(); }
+    [[nodiscard]] const std::vector<Action>& steps() const { return steps_; }
+    [[nodiscard]] std::size_t position() const { return position_; }  // steps in force
+    [[nodiscard]] std::size_t bytes() const { return bytes_; }
+    [[nodiscard]] std::size_t memoryLimitBytes() const { return memoryLimitBytes_; }
+    void setMemoryLimitBytes(std::size_t limit) { memoryLimitBytes_ = limit; }
+    void clear();
+
+    // Is the workspace as it was at the last markSaved()?
+    [[nodiscard]] bool isSaved() const { return savedPosition_ == static_cast<long long>(position_); }
+    void markSaved() { savedPosition_ = static_cast<long long>(position_); }
+
+  private:
+    std::vector<Action> steps_;
+    std::size_t position_ = 0;
+    std::size_t bytes_ = 0;
+    std::size_t memoryLimitBytes_ = std::size_t{2} << 30;
+    long long savedPosition_ = 0;  // -1: no longer reachable
+};
+
+}  // namespace voxprite

@@ -1,0 +1,31 @@
+// Every file that voxprite reads or writes, by its ending. The one door for files.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/model/document.h"
+#include "core/model/game_profile.h"
+
+namespace voxprite {
+
+enum class Format : std::uint8_t { vox, voxprite, svo };
+
+struct LoadedDocument {
+    Document document;
+    Format format = Format::vox;
+    std::vector<std::string> warnings;
+};
+
+[[nodiscard]] Result<Format> formatOf(const std::filesystem::path& path);
+[[nodiscard]] const char* nameOf(Format format);
+// Errors name the file, the place in it and the reason. Nothing is half loaded.
+[[nodiscard]] Result<LoadedDocument> loadDocument(const std::filesystem::path& path);
+// Atomic. For .svo this is the verified export: the bytes are read back and compared voxel by voxel
+// before the file appears under its name.
+[[nodiscard]] Status saveDocument(const std::filesystem::path& path, const Document& document,
+                                  const GameProfile& profile);
+
+}  // namespace voxprite

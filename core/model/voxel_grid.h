@@ -1,0 +1,78 @@
+// The editable store of one model's voxels: a sparse OpenVDB tree of 8-bit palette indices.
+//
+// Space: integer model space, Z up, right-handed; coordinates may be negative or far apart, within
+// +-kMaxCoordinate. Value 0 is empty, 1..255 a palette index. OpenVDB itself stays in the .cpp.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <memory>
+
+#include "core/base/box.h"
+
+namespace voxprite {
+
+inline constexpr int kMaxCoordinate = 1 << 24;
+
+// A cube of voxels handed out by forEachBlock. When `voxels` is null every voxel in the cube is
+// `uniformValue` (never 0); else edgeVoxels is 8 and voxels[(x << 6) | (y << 3) | z] is the value at
+// origin + (x, y, z).
+struct VoxelBlock {
+    glm::ivec3 origin{0};
+    int edgeVoxels = 8;
+    std::uint8_t uniformValue = 0;
+    const std::uint8_t* voxels = nullptr;
+};
+
+class VoxelGrid {
+  public:
+    VoxelGrid();
+    ~VoxelGrid();
+    VoxelGrid(const VoxelGrid& other);  // deep
+    VoxelGrid& operator=(const VoxelGrid& other);
+    VoxelGrid(VoxelGrid&&) noexcept;
+    VoxelGrid& operator=(VoxelGrid&&) noexcept;
+
+    [[nodiscard]] std::uint8_t get(glm::ivec3 v) const;
+    // Coordinates beyond kMaxCoordinate are a bug of the caller (checked in debug builds).
+    void set(glm::ivec3 v, std::uint8_t value);
+    // Sparse: whole blocks inside the box cost one entry.
+    void fill(const IBox& box, std::uint8_t value);
+    void clear();
+
+    [[nodiscard]] std::uint64_t solidCount() const;  // O(blocks)
+    [[nodiscard]] bool empty() const;
+    // The tight box around the solid voxels; an empty box when there are none. O(blocks).
+    [[nodiscard]] IBox bounds() const;
+
+    // Every block that may hold solid voxels, in a fixed order that depends on the voxels alone.
+    // A dense block may be all empty.
+    void forEachBlock(const std::function<void(const VoxelBlock&)>& visit) const;
+    // Every solid voxel, in that order.
+    void forEachSolid(const std::function<void(glm::ivec3 v, std::uint8_t value)>& visit) const;
+
+    // The same voxels (how they are stored does not count).
+    bool operator==(const VoxelGrid& other) const;
+
+    // Repeated reads of nearby voxels, several times faster than get(). One thread each; must not
+    // outlive the grid, nor a change to it.
+    class Reader {
+      public:
+        explicit Reader(const VoxelGrid& grid);
+        ~Reader();
+        Reader(const Reader&) = delete;
+        Reader& operator=(const Reader&) = delete;
+        [[nodiscard]] std::uint8_t get(glm::ivec3 v) const;
+
+      private:
+        struct Impl;
+        std::unique_ptr<Impl> impl_;
+    };
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace voxprite

@@ -1,0 +1,28 @@
+// A scene of sprites as a picture, on the CPU: the yardstick of the GL scene.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "core/base/image.h"
+#include "core/sprite/sprite_view.h"
+
+namespace voxprite {
+
+struct CompositeSprite {
+    const SpriteView* view = nullptr;
+    const SpriteBuffer* buffer = nullptr;
+    // For the depth rule perPixel: metres along the camera's forward, one a buffer pixel; else null.
+    const std::vector<float>* depthMetres = nullptr;
+};
+
+struct Ground {
+    double heightMetres = 0.0;  // a horizontal plane of the world
+    Rgba8 colour{92, 112, 84, 255};
+};
+
+// Nearest blit with depth test; of equal depths the earlier sprite in the span stays.
+[[nodiscard]] Image composite(std::span<const CompositeSprite> sprites, const Camera& camera,
+                              Rgba8 background, std::optional<Ground> ground = std::nullopt);
+
+}  // namespace voxprite

@@ -1,0 +1,32 @@
+// An off-screen picture: RGBA8 colour and 32-bit float depth, reversed (1 near, 0 far).
+// Everything is drawn into a Frame; the editor shows its texture, tests read it back.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+
+#include "core/base/image.h"
+#include "render/gl/handles.h"
+
+namespace voxprite {
+
+class Frame {
+  public:
+    explicit Frame(glm::ivec2 sizePx);
+    void resize(glm::ivec2 sizePx);  // keeps nothing; no-op when equal
+    // Binds it, sets the viewport and clears colour and depth.
+    void begin(Rgba8 background);
+    [[nodiscard]] glm::ivec2 sizePx() const { return sizePx_; }
+    // Rows bottom first, as GL has them: show it flipped.
+    [[nodiscard]] std::uint32_t colourTexture() const { return colour_.id(); }
+    [[nodiscard]] Image readColour() const;  // top row first
+    [[nodiscard]] std::vector<float> readDepth() const;  // top row first
+
+  private:
+    glm::ivec2 sizePx_{0};
+    gl::Texture colour_;
+    gl::Texture depth_;
+    gl::Framebuffer framebuffer_;
+};
+
+}  // namespace voxprite

@@ -1,0 +1,43 @@
+// An octree on the GPU: node words and payload words in one R32UI texture, as svo-format has it
+// (nodes first, then payloads as low and high words; linear index i at i % width, i / width).
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "core/svo/live_octree.h"
+#include "core/svo/octree.h"
+#include "render/gl/handles.h"
+
+namespace voxprite {
+
+class GpuOctree {
+  public:
+    GpuOctree();
+    // Uploads all of it. Room is left for growth.
+    void upload(const OctreeView& octree);
+    // Uploads only `changes` (all, when they say so or the room is used up).
+    void update(const OctreeView& octree, const OctreeChanges& changes);
+
+    // Counts uploads: equal revisions of one GpuOctree hold equal voxels.
+    [[nodiscard]] std::uint64_t revision() const { return revision_; }
+    [[nodiscard]] std::uint64_t bytesUploaded() const { return bytesUploaded_; }
+    [[nodiscard]] glm::ivec3 size() const { return size_; }
+    [[nodiscard]] glm::ivec3 treeFromVoxel() const { return treeFromVoxel_; }
+    [[nodiscard]] int maxDepth() const { return maxDepth_; }
+    [[nodiscard]] std::uint32_t payloadOffset() const { return payloadOffset_; }  // in texels
+    [[nodiscard]] std::uint32_t texture() const { return texture_.id(); }
+
+  private:
+    gl::Texture texture_;
+    glm::ivec3 size_{0};
+    glm::ivec3 treeFromVoxel_{0};
+    int maxDepth_ = 1;
+    std::uint32_t payloadOffset_ = 0;
+    std::uint32_t nodeCapacity_ = 0;
+    std::uint32_t payloadCapacity_ = 0;
+    std::uint64_t revision_ = 0;
+    std::uint64_t bytesUploaded_ = 0;
+};
+
+}  // namespace voxprite

@@ -1,0 +1,74 @@
+// A scene of sprites: the entities of a small game world, on a ground, with a depth buffer.
+//
+// Two ways to the same pixels (profile-independent, see SpriteMode): they agree in every pixel.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/model/game_profile.h"
+#include "core/model/palette.h"
+#include "core/sprite/composite.h"
+#include "core/sprite/sprite_view.h"
+#include "render/frame.h"
+#include "render/gpu_octree.h"
+
+namespace voxprite {
+
+enum class SpriteMode : std::uint8_t {
+    spriteBuffer,  // one ray a virtual pixel into a small buffer, outline by dilation, nearest blit
+    singlePass     // every fragment casts its ray, and up to four neighbours on a miss
+};
+
+struct SceneEntity {
+    const GpuOctree* octree = nullptr;
+    const Palette* palette = nullptr;
+    PlacedEntity placed;
+    ViewHistory* history = nullptr;  // may be null: no hysteresis
+};
+
+struct Scene {
+    std::vector<SceneEntity> entities;  // equal depths: the earlier one stays in front
+    Rgba8 background{0, 0, 0, 0};
+    bool sky = false;                   // a soft gradient instead of the background
+    std::optional<Ground> ground;
+    bool groundGrid = false;            // lines on the ground, one a metre
+    bool shadowBlobs = false;           // a soft dark ellipse under each entity
+};
+
+struct SceneStats {
+    int drawn = 0;
+    int unseen = 0;
+    std::uint64_t rays = 0;         // cast this frame (sprite_buffer: virtual pixels)
+    std::uint64_t castsReused = 0;  // sprites taken from the frame before
+    double sigmaInForce = 0.0;      // of the first entity drawn
+    double screenPxPerPx = 0.0;     // of the first entity drawn
+};
+
+class SceneRenderer {
+  public:
+    [[nodiscard]] static Result<SceneRenderer> create();  // needs a current GL 4.5 context
+    ~SceneRenderer();
+    SceneRenderer(SceneRenderer&&) noexcept;
+    SceneRenderer& operator=(SceneRenderer&&) noexcept;
+
+    // Clears and draws `scene` into `frame`. camera.viewportPx must be the frame's size.
+    [[nodiscard]] Result<SceneStats> draw(Frame& frame, const Scene& scene, const Camera& camera,
+                                          const GameProfile& profile, SpriteMode mode);
+
+    // The bare sprite buffer, read back. singlePass runs the same fragment code over one fragment a
+    // virtual pixel.
+    [[nodiscard]] Result<SpriteBuffer> castBuffer(const GpuOctree& octree,
+                                                  const LatticeView& lattice, const LitPalette& lit,
+                                                  SpriteMode mode);
+
+  private:
+    struct Impl;
+    explicit SceneRenderer(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace voxprite

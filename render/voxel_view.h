@@ -1,0 +1,43 @@
+// The perspective (or orthographic) view of the voxels themselves, cast from the same octree, with
+// true depth. The artist edits here.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/base/box.h"
+#include "core/base/result.h"
+#include "core/model/game_profile.h"
+#include "core/model/palette.h"
+#include "core/sprite/sprite_view.h"
+#include "render/frame.h"
+#include "render/gpu_octree.h"
+
+namespace voxprite {
+
+struct VoxelViewOptions {
+    bool edges = true;     // darkened voxel edges when they are wide enough to see
+    bool ground = true;    // a soft grid plane under the model: cells of 1 and 8 voxels
+    Light light;
+    Rgba8 backgroundTop{58, 62, 70, 255};
+    Rgba8 backgroundBottom{34, 36, 41, 255};
+};
+
+class VoxelView {
+  public:
+    [[nodiscard]] static Result<VoxelView> create();  // needs a current GL 4.5 context
+    ~VoxelView();
+    VoxelView(VoxelView&&) noexcept;
+    VoxelView& operator=(VoxelView&&) noexcept;
+
+    // Clears and draws into `frame`. camera.viewportPx must be the frame's size.
+    void draw(Frame& frame, const GpuOctree& octree, const Palette& palette,
+              const PlacedEntity& placed, const Camera& camera, const VoxelViewOptions& options);
+
+  private:
+    struct Impl;
+    explicit VoxelView(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace voxprite
