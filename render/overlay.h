@@ -30,9 +30,9 @@ struct OverlayShapes {
 };
 
 enum class OverlayDepth : std::uint8_t {
-    test,        // hidden by what is nearer
-    faintBehind, // what is hidden shows at a quarter of its opacity
-    always       // on top
+    test,         // hidden by what is nearer
+    faintBehind,  // what is hidden shows at a quarter of its opacity
+    always        // on top
 };
 
 class Overlay {

@@ -33,10 +33,10 @@ struct SceneEntity {
 struct Scene {
     std::vector<SceneEntity> entities;  // equal depths: the earlier one stays in front
     Rgba8 background{0, 0, 0, 0};
-    bool sky = false;                   // a soft gradient instead of the background
+    bool sky = false;  // a soft gradient instead of the background
     std::optional<Ground> ground;
-    bool groundGrid = false;            // lines on the ground, one a metre
-    bool shadowBlobs = false;           // a soft dark ellipse under each entity
+    bool groundGrid = false;   // lines on the ground, one a metre
+    bool shadowBlobs = false;  // a soft dark ellipse under each entity
 };
 
 struct SceneStats {

@@ -16,8 +16,8 @@
 namespace voxprite {
 
 struct VoxelViewOptions {
-    bool edges = true;     // darkened voxel edges when they are wide enough to see
-    bool ground = true;    // a soft grid plane under the model: cells of 1 and 8 voxels
+    bool edges = true;   // darkened voxel edges when they are wide enough to see
+    bool ground = true;  // a soft grid plane under the model: cells of 1 and 8 voxels
     Light light;
     Rgba8 backgroundTop{58, 62, 70, 255};
     Rgba8 backgroundBottom{34, 36, 41, 255};

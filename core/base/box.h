@@ -10,9 +10,7 @@ struct IBox {
     glm::ivec3 min{0};
     glm::ivec3 max{0};
 
-    [[nodiscard]] bool empty() const {
-        return min.x >= max.x || min.y >= max.y || min.z >= max.z;
-    }
+    [[nodiscard]] bool empty() const { return min.x >= max.x || min.y >= max.y || min.z >= max.z; }
     // Edge lengths in voxels; only meaningful when not empty.
     [[nodiscard]] glm::ivec3 size() const { return max - min; }
     [[nodiscard]] bool contains(glm::ivec3 v) const {

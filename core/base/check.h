@@ -5,12 +5,12 @@
 #include <cstdlib>
 
 #ifdef VOXPRITE_CHECKS
-#define VOXPRITE_CHECK(condition)                                                           \
-    do {                                                                                    \
-        if (!(condition)) {                                                                 \
+#define VOXPRITE_CHECK(condition)                                                              \
+    do {                                                                                       \
+        if (!(condition)) {                                                                    \
             std::fprintf(stderr, "%s:%d: check failed: %s\n", __FILE__, __LINE__, #condition); \
-            std::abort();                                                                   \
-        }                                                                                   \
+            std::abort();                                                                      \
+        }                                                                                      \
     } while (false)
 #else
 #define VOXPRITE_CHECK(condition) static_cast<void>(0)

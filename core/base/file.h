@@ -16,6 +16,7 @@ inline constexpr std::uint64_t kMaxFileBytes = std::uint64_t{4} << 30;
 [[nodiscard]] Result<Bytes> readFile(const std::filesystem::path& path);
 [[nodiscard]] Result<std::string> readTextFile(const std::filesystem::path& path);
 [[nodiscard]] Status writeFileAtomically(const std::filesystem::path& path, ByteView bytes);
-[[nodiscard]] Status writeFileAtomically(const std::filesystem::path& path, const std::string& text);
+[[nodiscard]] Status writeFileAtomically(const std::filesystem::path& path,
+                                         const std::string& text);
 
 }  // namespace voxprite

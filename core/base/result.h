@@ -11,7 +11,8 @@
 namespace voxprite {
 
 // Why something failed, and where. `file` is filled in by whoever knows the path (see inFile);
-// a binary reader gives `offset` (bytes from the start), a text reader `line` and `column` (from 1).
+// a binary reader gives `offset` (bytes from the start), a text reader `line` and `column` (from
+// 1).
 struct Error {
     std::string file;
     std::optional<std::uint64_t> offset;

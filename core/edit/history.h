@@ -27,9 +27,15 @@ struct VoxelPatch {
 };
 
 // A whole value replaced by another of its kind.
-struct PaletteEdit { Palette before, after; };
-struct EntityEdit { Entity before, after; };
-struct ProfileEdit { GameProfile before, after; };
+struct PaletteEdit {
+    Palette before, after;
+};
+struct EntityEdit {
+    Entity before, after;
+};
+struct ProfileEdit {
+    GameProfile before, after;
+};
 // The scene graph with its layers and clips; models themselves are only ever appended or, on undo,
 // removed again (`addedModels` are the ones that stand behind modelsBefore).
 struct SceneState {
@@ -96,7 +102,9 @@ class History {
     void clear();
 
     // Is the workspace as it was at the last markSaved()?
-    [[nodiscard]] bool isSaved() const { return savedPosition_ == static_cast<long long>(position_); }
+    [[nodiscard]] bool isSaved() const {
+        return savedPosition_ == static_cast<long long>(position_);
+    }
     void markSaved() { savedPosition_ = static_cast<long long>(position_); }
 
   private:

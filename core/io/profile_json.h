@@ -17,7 +17,8 @@ namespace voxprite {
 [[nodiscard]] Result<GameProfile> readProfile(std::string_view json);
 [[nodiscard]] std::string writeProfile(const GameProfile& profile);
 [[nodiscard]] Result<GameProfile> readProfileFile(const std::filesystem::path& path);
-[[nodiscard]] Status writeProfileFile(const std::filesystem::path& path, const GameProfile& profile);
+[[nodiscard]] Status writeProfileFile(const std::filesystem::path& path,
+                                      const GameProfile& profile);
 
 // The names used in JSON and on the command line.
 [[nodiscard]] const char* nameOf(ViewRule value);

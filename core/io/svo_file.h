@@ -21,7 +21,7 @@ struct SvoModel {
 
 struct SvoClip {
     std::string name;
-    std::vector<std::uint32_t> models;                // one a frame, indices into SvoFile::models
+    std::vector<std::uint32_t> models;                 // one a frame, indices into SvoFile::models
     std::vector<std::uint32_t> durationsMilliseconds;  // one a frame
     bool loop = true;
     bool operator==(const SvoClip&) const = default;

@@ -11,8 +11,8 @@ namespace voxprite {
 
 struct ImageComparison {
     std::uint64_t pixels = 0;
-    std::uint64_t mismatched = 0;     // any of R, G, B, A differs (two transparent pixels are equal)
-    double mismatchRate = 0.0;        // mismatched / pixels
+    std::uint64_t mismatched = 0;  // any of R, G, B, A differs (two transparent pixels are equal)
+    double mismatchRate = 0.0;     // mismatched / pixels
     std::uint64_t silhouetteXor = 0;  // pixels opaque in exactly one (alpha >= 128)
     double iou = 1.0;                 // of the silhouettes; 1 when both are empty
     double flipMean = 0.0;            // FLIP, Andersson et al. 2020, LDR, 67 pixels a degree

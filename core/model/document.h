@@ -45,8 +45,8 @@ struct SceneNode {
     std::string name;
     bool hidden = false;
     bool locked = false;
-    int layer = -1;   // index into Document::layers; -1 is none
-    int parent = -1;  // -1 only for the root, node 0
+    int layer = -1;             // index into Document::layers; -1 is none
+    int parent = -1;            // -1 only for the root, node 0
     std::vector<int> children;  // indices into Document::nodes, in drawing order: later wins
     std::vector<PlacementKey> placements{PlacementKey{}};  // ascending frames, at least one
     std::vector<ModelKey> models;                          // ascending frames; empty for a group
@@ -93,7 +93,7 @@ struct Entity {
     double yawDegrees = 0.0;
     double pitchDegrees = 0.0;
     double rollDegrees = 0.0;
-    double scale = 1.0;             // uniform, 1e-3 ... 1e3
+    double scale = 1.0;              // uniform, 1e-3 ... 1e3
     glm::dvec3 positionMetres{0.0};  // of the anchor, in the Y-up world
     bool operator==(const Entity&) const = default;
 };

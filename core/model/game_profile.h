@@ -40,9 +40,10 @@ struct GameProfile {
     Registration registration = Registration::modelCentre;
     ProxyShape proxy = ProxyShape::quad;
     DepthRule depth = DepthRule::groundSafe;
-    double groundClearancePx = 1.0;  // virtual pixels that a grounded entity floats above the ground
-    bool minification = true;        // halve sigma while a virtual pixel is under a screen pixel
-    double viewStepDegrees = 0.0;    // views snap to this step; 0 is off; at most 45
+    double groundClearancePx =
+        1.0;                       // virtual pixels that a grounded entity floats above the ground
+    bool minification = true;      // halve sigma while a virtual pixel is under a screen pixel
+    double viewStepDegrees = 0.0;  // views snap to this step; 0 is off; at most 45
     Outline outline;
     Light light;
     bool operator==(const GameProfile&) const = default;

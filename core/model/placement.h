@@ -25,15 +25,13 @@ struct SignedPermutation {
     }
     [[nodiscard]] SignedPermutation inverse() const;
     [[nodiscard]] int determinant() const;  // -1 for mirrors
-    // (a * b).apply(v) == a.apply(b.apply(v))
-    [[nodiscard]] friend SignedPermutation operator*(const SignedPermutation& a,
-                                                     const SignedPermutation& b);
-
     // The rotation byte of a .vox file (_r): bits 0-1 and 2-3 the columns of rows 0 and 1, bits 4-6
     // set where a row is negative. Fails unless the columns are two different ones of 0..2.
     [[nodiscard]] static Result<SignedPermutation> fromVoxByte(int byte);
     [[nodiscard]] int toVoxByte() const;
 };
+// (a * b).apply(v) == a.apply(b.apply(v))
+[[nodiscard]] SignedPermutation operator*(const SignedPermutation& a, const SignedPermutation& b);
 
 // Maps model space into the space of the parent (or of the entity).
 struct Placement {
@@ -46,8 +44,8 @@ struct Placement {
     [[nodiscard]] glm::ivec3 applyToVoxel(glm::ivec3 v) const;
     [[nodiscard]] IBox applyToBox(const IBox& box) const;
     [[nodiscard]] Placement inverse() const;
-    // (a * b).applyToVoxel(v) == a.applyToVoxel(b.applyToVoxel(v))
-    [[nodiscard]] friend Placement operator*(const Placement& a, const Placement& b);
 };
+// (a * b).applyToVoxel(v) == a.applyToVoxel(b.applyToVoxel(v))
+[[nodiscard]] Placement operator*(const Placement& a, const Placement& b);
 
 }  // namespace voxprite

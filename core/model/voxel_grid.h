@@ -16,8 +16,8 @@ namespace voxprite {
 inline constexpr int kMaxCoordinate = 1 << 24;
 
 // A cube of voxels handed out by forEachBlock. When `voxels` is null every voxel in the cube is
-// `uniformValue` (never 0); else edgeVoxels is 8 and voxels[(x << 6) | (y << 3) | z] is the value at
-// origin + (x, y, z).
+// `uniformValue` (never 0); else edgeVoxels is 8 and voxels[(x << 6) | (y << 3) | z] is the value
+// at origin + (x, y, z).
 struct VoxelBlock {
     glm::ivec3 origin{0};
     int edgeVoxels = 8;

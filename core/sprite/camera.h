@@ -13,8 +13,12 @@
 
 namespace voxprite {
 
-[[nodiscard]] inline glm::dvec3 voxelFromWorld(glm::dvec3 w) { return {w.x, -w.z, w.y}; }
-[[nodiscard]] inline glm::dvec3 worldFromVoxel(glm::dvec3 v) { return {v.x, v.z, -v.y}; }
+[[nodiscard]] inline glm::dvec3 voxelFromWorld(glm::dvec3 w) {
+    return {w.x, -w.z, w.y};
+}
+[[nodiscard]] inline glm::dvec3 worldFromVoxel(glm::dvec3 v) {
+    return {v.x, v.z, -v.y};
+}
 
 struct Camera {
     glm::dvec3 eyeMetres{0.0, 0.0, 10.0};
@@ -23,7 +27,7 @@ struct Camera {
     glm::dvec3 up{0, 1, 0};
     glm::dvec3 forward{0, 0, -1};
     bool orthographic = false;
-    double verticalFovDegrees = 45.0;       // perspective: 1 ... 170
+    double verticalFovDegrees = 45.0;        // perspective: 1 ... 170
     double orthographicHeightMetres = 10.0;  // orthographic: the picture's height
     double nearMetres = 0.01;
     glm::ivec2 viewportPx{512, 512};
@@ -32,10 +36,16 @@ struct Camera {
     [[nodiscard]] double metresPerScreenPx(double depthMetres) const;
     // The direction (unit) and start of the eye ray through a point of the viewport; (0,0) is the
     // top left corner, pixel centres are at .5.
-    struct Ray { glm::dvec3 origin, direction; };
+    struct Ray {
+        glm::dvec3 origin, direction;
+    };
     [[nodiscard]] Ray rayThrough(glm::dvec2 screenPx) const;
-    // Screen position (top left origin) of a world point; depth along forward. depth <= 0 is behind.
-    struct Projected { glm::dvec2 screenPx; double depthMetres; };
+    // Screen position (top left origin) of a world point; depth along forward. depth <= 0 is
+    // behind.
+    struct Projected {
+        glm::dvec2 screenPx;
+        double depthMetres;
+    };
     [[nodiscard]] Projected project(glm::dvec3 worldMetres) const;
     // Camera-relative: world translated so that the eye is the origin. Reversed Z, zero to one,
     // infinite far plane (perspective).
@@ -60,7 +70,9 @@ struct OrbitAngles {
                                  glm::ivec2 viewportPx);
 
 // sin and cos of an angle in degrees, exact at multiples of 90 (and the same on every machine).
-struct SinCos { double sin, cos; };
+struct SinCos {
+    double sin, cos;
+};
 [[nodiscard]] SinCos sinCosDegrees(double degrees);
 
 }  // namespace voxprite

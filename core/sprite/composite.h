@@ -12,7 +12,8 @@ namespace voxprite {
 struct CompositeSprite {
     const SpriteView* view = nullptr;
     const SpriteBuffer* buffer = nullptr;
-    // For the depth rule perPixel: metres along the camera's forward, one a buffer pixel; else null.
+    // For the depth rule perPixel: metres along the camera's forward, one a buffer pixel; else
+    // null.
     const std::vector<float>* depthMetres = nullptr;
 };
 

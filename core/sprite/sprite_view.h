@@ -23,7 +23,7 @@ struct PlacedEntity {
     glm::dvec3 anchor{0.0};
     glm::dmat3 worldFromVoxelAxes{1.0};  // rotation and axis swizzle; orthonormal, no scale
     double scale = 1.0;
-    glm::dvec3 anchorMetres{0.0};        // where the anchor stands
+    glm::dvec3 anchorMetres{0.0};  // where the anchor stands
     double voxelSizeMetres = 0.1;
 
     [[nodiscard]] double metresPerVoxel() const { return voxelSizeMetres * scale; }
@@ -47,24 +47,24 @@ struct ViewHistory {
 // One sprite of one frame.
 struct SpriteView {
     LatticeView lattice;
-    OrthoView ortho;                    // what the lattice was quantised from
-    double sigmaInForce = 4.0;          // without the entity's scale
+    OrthoView ortho;            // what the lattice was quantised from
+    double sigmaInForce = 4.0;  // without the entity's scale
     std::array<std::uint8_t, 3> light8{255, 255, 255};
     // The sprite plane: through the model centre, spanned by right and up (world axes, unit).
     glm::dvec3 centreFromEyeMetres{0.0};
     glm::dvec3 right{1, 0, 0};
     glm::dvec3 up{0, 1, 0};
     glm::dvec3 forward{0, 0, -1};
-    double metresPerPx = 0.025;         // width of a virtual pixel
+    double metresPerPx = 0.025;  // width of a virtual pixel
     // A point at (x, y) metres from the centre along right and up lies in virtual pixel
     // floor((x, y) / metresPerPx + pixelFromCentre).
     glm::dvec2 pixelFromCentre{0.0};
     // Registration at the anchor: the sprite moves by this much in its plane (already in
     // pixelFromCentre; kept for markers).
     glm::dvec2 registrationShiftPx{0.0};
-    double planeDepthMetres = 1.0;      // of the centre along the camera's forward
-    double depthMetres = 1.0;           // what the sprite writes (depth rules centre, groundSafe)
-    double screenPxPerPx = 1.0;         // screen pixels a virtual pixel at the centre
+    double planeDepthMetres = 1.0;  // of the centre along the camera's forward
+    double depthMetres = 1.0;       // what the sprite writes (depth rules centre, groundSafe)
+    double screenPxPerPx = 1.0;     // screen pixels a virtual pixel at the centre
 };
 
 enum class Unseen : std::uint8_t { emptyModel, cameraInside, behindCamera };

@@ -42,21 +42,33 @@ namespace node {
 inline constexpr std::uint32_t kInternal = 0x8000'0000u;
 inline constexpr std::uint32_t kBrick = 0x4000'0000u;
 
-[[nodiscard]] constexpr bool isInternal(std::uint32_t word) { return (word & kInternal) != 0; }
+[[nodiscard]] constexpr bool isInternal(std::uint32_t word) {
+    return (word & kInternal) != 0;
+}
 [[nodiscard]] constexpr bool isBrick(std::uint32_t word) {
     return (word & (kInternal | kBrick)) == kBrick;
 }
-[[nodiscard]] constexpr bool isEmpty(std::uint32_t word) { return word == 0; }
+[[nodiscard]] constexpr bool isEmpty(std::uint32_t word) {
+    return word == 0;
+}
 [[nodiscard]] constexpr bool isUniform(std::uint32_t word) {
     return word != 0 && (word & (kInternal | kBrick)) == 0;
 }
-[[nodiscard]] constexpr std::uint32_t uniform(std::uint8_t material) { return material; }
-[[nodiscard]] constexpr std::uint32_t brick(std::uint32_t payload) { return kBrick | payload; }
+[[nodiscard]] constexpr std::uint32_t uniform(std::uint8_t material) {
+    return material;
+}
+[[nodiscard]] constexpr std::uint32_t brick(std::uint32_t payload) {
+    return kBrick | payload;
+}
 [[nodiscard]] constexpr std::uint32_t internal(std::uint32_t childBase, std::uint32_t childMask) {
     return kInternal | (childBase << 8) | childMask;
 }
-[[nodiscard]] constexpr std::uint32_t payloadIndex(std::uint32_t word) { return word & 0x3FFF'FFFFu; }
-[[nodiscard]] constexpr std::uint32_t childMask(std::uint32_t word) { return word & 0xFFu; }
+[[nodiscard]] constexpr std::uint32_t payloadIndex(std::uint32_t word) {
+    return word & 0x3FFF'FFFFu;
+}
+[[nodiscard]] constexpr std::uint32_t childMask(std::uint32_t word) {
+    return word & 0xFFu;
+}
 [[nodiscard]] constexpr std::uint32_t childBase(std::uint32_t word) {
     return (word & 0x7FFF'FF00u) >> 8;
 }

@@ -4,19 +4,20 @@
 // square root alone. From then on the picture is a pure function of these integers: every CPU and
 // GPU gives the same sprite buffer bit for bit.
 //
-// Space   voxel space of the octree (Z up, minimum corner at 0), positions scaled by 2^positionBits.
-// Ray (i, j) of the buffer starts at   C + ((i * U + j * V) >> kStepShift)   and runs along D.
-// i counts to the right, j counts up; >> rounds down. The start lies in the sprite plane, inside the
-// model more often than not: the ray is an infinite line, met from its far end (t may be negative).
+// Space   voxel space of the octree (Z up, minimum corner at 0), positions scaled by
+// 2^positionBits. Ray (i, j) of the buffer starts at   C + ((i * U + j * V) >> kStepShift)   and
+// runs along D. i counts to the right, j counts up; >> rounds down. The start lies in the sprite
+// plane, inside the model more often than not: the ray is an infinite line, met from its far end (t
+// may be negative).
 //
 // The walk, exactly (Amanatides & Woo 1987, in integers after Liu, Zalik & Yang 2004). On axis a
-// with D[a] != 0 the line crosses the face at integer k at the time t = (k * 2^P - O[a]) / D[a]. All
-// crossings are ordered by (t, axis): ties go to the lowest axis first. Between two crossings the
-// line is in one cell: on an axis with D > 0 the cell after crossing face k is k, with D < 0 it is
-// k - 1; on an axis with D = 0 it is floor(O / 2^P) always. The first solid cell inside the model's
-// size, in that order, is the hit; the face is that of the last crossing before it. Any walk that
-// skips empty nodes must give this cell and face. Comparing times is comparing products of
-// integers: N_a * |D_b| against N_b * |D_a|.
+// with D[a] != 0 the line crosses the face at integer k at the time t = (k * 2^P - O[a]) / D[a].
+// All crossings are ordered by (t, axis): ties go to the lowest axis first. Between two crossings
+// the line is in one cell: on an axis with D > 0 the cell after crossing face k is k, with D < 0 it
+// is k - 1; on an axis with D = 0 it is floor(O / 2^P) always. The first solid cell inside the
+// model's size, in that order, is the hit; the face is that of the last crossing before it. Any
+// walk that skips empty nodes must give this cell and face. Comparing times is comparing products
+// of integers: N_a * |D_b| against N_b * |D_a|.
 #pragma once
 
 #include <array>
@@ -45,10 +46,10 @@ struct LatticeView {
     int directionBits = 13;  // |D| <= 2^directionBits on every axis
     glm::ivec3 C{0};         // lattice units from the model's minimum corner
     glm::ivec3 D{0, 1, 0};
-    glm::ivec3 U{0};         // 2^(P + kStepShift) a voxel
+    glm::ivec3 U{0};  // 2^(P + kStepShift) a voxel
     glm::ivec3 V{0};
-    glm::ivec2 first{0};     // (i, j) of the buffer's left and bottom
-    glm::ivec2 size{0};      // the padded bounds: every hit, plus one for the outline
+    glm::ivec2 first{0};  // (i, j) of the buffer's left and bottom
+    glm::ivec2 size{0};   // the padded bounds: every hit, plus one for the outline
     bool operator==(const LatticeView&) const = default;
 };
 
