@@ -1,0 +1,141 @@
+#include "core/base/file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <system_error>
+
+namespace voxprite {
+
+namespace {
+
+class FileDescriptor {
+  public:
+    explicit FileDescriptor(int descriptor) : descriptor_(descriptor) {}
+    ~FileDescriptor() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+    }
+    FileDescriptor(const FileDescriptor&) = delete;
+    FileDescriptor& operator=(const FileDescriptor&) = delete;
+
+    [[nodiscard]] bool isOpen() const { return descriptor_ >= 0; }
+    [[nodiscard]] int get() const { return descriptor_; }
+    // Closing may report an error of a write before; 0 when all is well.
+    int close() { return ::close(std::exchange(descriptor_, -1)); }
+
+  private:
+    int descriptor_;
+};
+
+Failure systemFailure(const std::filesystem::path& path, const std::string& doing) {
+    const int code = errno;
+    return failInFile(path.string(), doing + ": " + std::generic_category().message(code));
+}
+
+// Fills `bytes`, or as much as there is, and says how much; -1 for an error.
+ssize_t readAll(int descriptor, Bytes& bytes) {
+    std::size_t filled = 0;
+    while (filled < bytes.size()) {
+        const ssize_t got = ::read(descriptor, bytes.data() + filled, bytes.size() - filled);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return -1;
+        if (got == 0) break;
+        filled += static_cast<std::size_t>(got);
+    }
+    return static_cast<ssize_t>(filled);
+}
+
+bool writeAll(int descriptor, ByteView bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0) {
+            if (errno == EINTR) continue;
+            return false;
+        }
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+// Writes, makes durable and closes; the temporary file stays for the caller to rename or remove.
+Status writeTemporary(const std::filesystem::path& temporary, const std::filesystem::path& path,
+                      ByteView bytes) {
+    FileDescriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (!file.isOpen()) return systemFailure(path, "cannot be written");
+    struct stat old {};
+    // A file that is there keeps its permissions; a new one has those of the process.
+    if (::stat(path.c_str(), &old) == 0 && ::fchmod(file.get(), old.st_mode & 07777) != 0) {
+        return systemFailure(path, "cannot keep its permissions");
+    }
+    if (!writeAll(file.get(), bytes)) return systemFailure(path, "cannot be written");
+    if (::fsync(file.get()) != 0) return systemFailure(path, "cannot be written");
+    if (file.close() != 0) return systemFailure(path, "cannot be written");
+    return {};
+}
+
+// Writing through a symbolic link replaces what it points to and keeps the link.
+std::filesystem::path linkTarget(const std::filesystem::path& path) {
+    std::error_code error;
+    if (!std::filesystem::is_symlink(path, error)) return path;
+    std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
+    return error ? path : target;
+}
+
+}  // namespace
+
+Result<Bytes> readFile(const std::filesystem::path& path) {
+    // Not blocking, so that opening a pipe nobody writes to returns (and is refused below).
+    const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (!file.isOpen()) return systemFailure(path, "cannot be opened");
+    struct stat status {};
+    if (::fstat(file.get(), &status) != 0) return systemFailure(path, "cannot be read");
+    if (S_ISDIR(status.st_mode)) return failInFile(path.string(), "is a folder, not a file");
+    if (!S_ISREG(status.st_mode)) return failInFile(path.string(), "is not a regular file");
+    const auto size = static_cast<std::uint64_t>(status.st_size);
+    if (size > kMaxFileBytes) {
+        return failInFile(path.string(), "has " + std::to_string(size) + " bytes; at most " +
+                                             std::to_string(kMaxFileBytes) + " can be read");
+    }
+    Bytes bytes(static_cast<std::size_t>(size));
+    const ssize_t filled = readAll(file.get(), bytes);
+    if (filled < 0) return systemFailure(path, "cannot be read");
+    bytes.resize(static_cast<std::size_t>(filled));  // it may have become shorter meanwhile
+    return bytes;
+}
+
+Result<std::string> readTextFile(const std::filesystem::path& path) {
+    return readFile(path).map(
+        [](const Bytes& bytes) { return std::string(bytes.begin(), bytes.end()); });
+}
+
+Status writeFileAtomically(const std::filesystem::path& requested, ByteView bytes) {
+    const std::filesystem::path path = linkTarget(requested);
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    static std::atomic<unsigned> counter{0};
+    const std::filesystem::path temporary =
+        folder / ("." + path.filename().string() + "." + std::to_string(::getpid()) + "." +
+                  std::to_string(counter++) + ".part");
+
+    Status written = writeTemporary(temporary, path, bytes);
+    if (written && ::rename(temporary.c_str(), path.c_str()) != 0) {
+        written = systemFailure(path, "cannot be replaced");
+    }
+    if (!written) {
+        ::unlink(temporary.c_str());
+        return written;
+    }
+    // The file has its new content; without this a power cut might bring the old name back.
+    const FileDescriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (directory.isOpen()) ::fsync(directory.get());
+    return {};
+}
+
+Status writeFileAtomically(const std::filesystem::path& path, const std::string& text) {
+    return writeFileAtomically(
+        path, ByteView(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+}  // namespace voxprite

@@ -1,0 +1,28 @@
+#include "core/base/parallel.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace voxprite {
+
+void parallelFor(int count, int threads, const std::function<void(int first, int last)>& body) {
+    if (count <= 0) return;
+    if (threads == 1) {
+        body(0, count);
+        return;
+    }
+    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    arena.execute([&] {
+        tbb::parallel_for(
+            tbb::blocked_range<int>(0, count),
+            [&](const tbb::blocked_range<int>& range) { body(range.begin(), range.end()); });
+    });
+}
+
+int hardwareThreads() {
+    return tbb::info::default_concurrency();
+}
+
+}  // namespace voxprite
