@@ -85,6 +85,19 @@ inline constexpr std::uint32_t kBrick = 0x4000'0000u;
     return static_cast<std::uint8_t>(payload >> (8 * octant));
 }
 
+// The octant of a tree coordinate by its bit `bit`: maxDepth - 1 chooses the root's child, 0 the
+// voxel of a brick.
+[[nodiscard]] constexpr unsigned octantOf(glm::ivec3 tree, int bit) {
+    return ((static_cast<unsigned>(tree.z) >> bit & 1u) << 2) |
+           ((static_cast<unsigned>(tree.y) >> bit & 1u) << 1) |
+           (static_cast<unsigned>(tree.x) >> bit & 1u);
+}
+// The inverse for one level: (0 or 1) on each axis.
+[[nodiscard]] constexpr glm::ivec3 octantCorner(unsigned octant) {
+    return {static_cast<int>(octant & 1u), static_cast<int>(octant >> 1 & 1u),
+            static_cast<int>(octant >> 2 & 1u)};
+}
+
 // What casters and uploads read: somebody else's arrays, valid as long as those are.
 struct OctreeView {
     std::span<const std::uint32_t> nodes;
@@ -93,7 +106,8 @@ struct OctreeView {
     // The model's size in voxels; voxel coordinates run over [0, size) from its minimum corner.
     glm::ivec3 size{0};
     // tree coordinate = voxel coordinate + treeFromVoxel. Zero for canonical octrees; the live one
-    // keeps its origin while the bounds move.
+    // keeps its origin while the bounds move. The sum may lie outside the root cube (bounds wider
+    // than what the live octree holds): such voxels are empty.
     glm::ivec3 treeFromVoxel{0};
 };
 
@@ -114,5 +128,7 @@ struct Octree {
 
 // The material at a voxel coordinate; 0 outside the size. O(depth).
 [[nodiscard]] std::uint8_t materialAt(const OctreeView& octree, glm::ivec3 voxel);
+// The same by tree coordinate; 0 outside the root cube.
+[[nodiscard]] std::uint8_t materialAtTree(const OctreeView& octree, glm::ivec3 tree);
 
 }  // namespace voxprite
