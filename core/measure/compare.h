@@ -9,15 +9,19 @@
 
 namespace voxprite {
 
+// FLIP and SSIM are measures of opaque pictures: what is transparent is laid over this grey first,
+// against which a black outline and a bright face both stand out. Opaque pictures are not touched.
+inline constexpr Rgba8 kComparisonBackground{128, 128, 128, 255};
+
 struct ImageComparison {
     std::uint64_t pixels = 0;
     std::uint64_t mismatched = 0;  // any of R, G, B, A differs (two transparent pixels are equal)
     double mismatchRate = 0.0;     // mismatched / pixels
     std::uint64_t silhouetteXor = 0;  // pixels opaque in exactly one (alpha >= 128)
     double iou = 1.0;                 // of the silhouettes; 1 when both are empty
-    double flipMean = 0.0;            // FLIP, Andersson et al. 2020, LDR, 67 pixels a degree
+    double flipMean = 0.0;            // see core/measure/flip.h; 67 pixels a degree
     std::optional<double> psnr;       // decibels over RGBA, premultiplied; none when equal
-    double ssim = 1.0;                // Wang et al. 2004: luma, 11x11 Gaussian, sigma 1.5
+    double ssim = 1.0;                // see core/measure/ssim.h; of the luma
 };
 
 // Fails when the sizes differ or a picture is empty.

@@ -1,0 +1,90 @@
+#include "core/measure/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "core/measure/flip.h"
+#include "core/measure/ssim.h"
+
+namespace voxprite {
+namespace {
+
+std::string sizeText(const Image& image) {
+    return std::to_string(image.width) + "x" + std::to_string(image.height);
+}
+
+// What a viewer sees of straight-alpha colours over the comparison's background.
+Image overBackground(const Image& image) {
+    Image opaque = image;
+    for (Rgba8& pixel : opaque.pixels) {
+        const int alpha = pixel.w;
+        for (int channel = 0; channel < 3; ++channel) {
+            pixel[channel] = static_cast<std::uint8_t>(
+                (pixel[channel] * alpha + kComparisonBackground[channel] * (255 - alpha) + 127) /
+                255);
+        }
+        pixel.w = 255;
+    }
+    return opaque;
+}
+
+// ITU-R BT.601.
+Plane lumaOf(const Image& image) {
+    Plane luma(image.width, image.height);
+    std::transform(image.pixels.begin(), image.pixels.end(), luma.values.begin(),
+                   [](Rgba8 c) { return 0.299 * c.x + 0.587 * c.y + 0.114 * c.z; });
+    return luma;
+}
+
+double squaredError(Rgba8 a, Rgba8 b) {
+    const double alphaA = a.w / 255.0;
+    const double alphaB = b.w / 255.0;
+    double sum = (a.w - b.w) * (a.w - b.w);
+    for (int channel = 0; channel < 3; ++channel) {
+        const double difference = a[channel] * alphaA - b[channel] * alphaB;
+        sum += difference * difference;
+    }
+    return sum;
+}
+
+}  // namespace
+
+Result<ImageComparison> compareImages(const Image& a, const Image& b) {
+    if (a.width != b.width || a.height != b.height) {
+        return fail("the pictures differ in size: " + sizeText(a) + " and " + sizeText(b));
+    }
+    if (a.pixels.empty()) return fail("the pictures are empty");
+
+    ImageComparison result;
+    result.pixels = a.pixels.size();
+    std::uint64_t common = 0;
+    double errorSum = 0.0;
+    for (std::size_t k = 0; k < a.pixels.size(); ++k) {
+        const Rgba8 pa = a.pixels[k];
+        const Rgba8 pb = b.pixels[k];
+        const bool bothTransparent = pa.w == 0 && pb.w == 0;
+        if (pa != pb && !bothTransparent) ++result.mismatched;
+        const bool inA = pa.w >= 128;
+        const bool inB = pb.w >= 128;
+        if (inA != inB) ++result.silhouetteXor;
+        if (inA && inB) ++common;
+        errorSum += squaredError(pa, pb);
+    }
+    const auto pixels = static_cast<double>(result.pixels);
+    result.mismatchRate = static_cast<double>(result.mismatched) / pixels;
+    const std::uint64_t united = common + result.silhouetteXor;
+    if (united > 0) result.iou = static_cast<double>(common) / static_cast<double>(united);
+    if (result.mismatched == 0) return result;
+
+    result.psnr = 10.0 * std::log10(255.0 * 255.0 / (errorSum / (4.0 * pixels)));
+    const Image shownA = overBackground(a);
+    const Image shownB = overBackground(b);
+    const Plane flip = flipMap(shownA, shownB);
+    result.flipMean = std::accumulate(flip.values.begin(), flip.values.end(), 0.0) / pixels;
+    result.ssim = meanSsim(lumaOf(shownA), lumaOf(shownB));
+    return result;
+}
+
+}  // namespace voxprite

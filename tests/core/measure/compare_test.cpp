@@ -1,0 +1,119 @@
+#include "core/measure/compare.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace voxprite {
+namespace {
+
+Image noise(int width, int height, unsigned seed) {
+    std::mt19937 random(seed);
+    Image image(width, height);
+    for (Rgba8& pixel : image.pixels) {
+        const auto bits = random();
+        pixel = Rgba8(bits & 255, bits >> 8 & 255, bits >> 16 & 255, 255);
+    }
+    return image;
+}
+
+TEST(CompareImages, EqualPicturesDifferInNothing) {
+    const Image image = noise(40, 30, 1);
+    const auto result = compareImages(image, image);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->pixels, 1200u);
+    EXPECT_EQ(result->mismatched, 0u);
+    EXPECT_EQ(result->mismatchRate, 0.0);
+    EXPECT_EQ(result->silhouetteXor, 0u);
+    EXPECT_EQ(result->iou, 1.0);
+    EXPECT_EQ(result->flipMean, 0.0);
+    EXPECT_FALSE(result->psnr.has_value());
+    EXPECT_EQ(result->ssim, 1.0);
+}
+
+TEST(CompareImages, ColourOfTransparentPixelsDoesNotCount) {
+    const Image a(8, 8, Rgba8(255, 0, 0, 0));
+    const Image b(8, 8, Rgba8(0, 255, 0, 0));
+    const auto result = compareImages(a, b);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->mismatched, 0u);
+    EXPECT_EQ(result->iou, 1.0);
+    EXPECT_FALSE(result->psnr.has_value());
+}
+
+TEST(CompareImages, AlphaAloneIsAMismatch) {
+    const Image a(4, 4, Rgba8(0, 0, 0, 255));
+    const Image b(4, 4, Rgba8(0, 0, 0, 254));
+    const auto result = compareImages(a, b);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->mismatched, 16u);
+    EXPECT_EQ(result->silhouetteXor, 0u);
+    // One step in one of four channels: MSE 1/4.
+    EXPECT_NEAR(result->psnr.value_or(0.0), 10.0 * std::log10(255.0 * 255.0 * 4.0), 1e-12);
+}
+
+TEST(CompareImages, SilhouettesOfShiftedSquares) {
+    Image a(20, 20);
+    Image b(20, 20);
+    for (int y = 5; y < 15; ++y) {
+        for (int x = 5; x < 15; ++x) {
+            a.at(x, y) = Rgba8(200, 100, 50, 255);
+            b.at(x + 2, y) = Rgba8(200, 100, 50, 255);
+        }
+    }
+    const auto result = compareImages(a, b);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->mismatched, 40u);
+    EXPECT_EQ(result->mismatchRate, 0.1);
+    EXPECT_EQ(result->silhouetteXor, 40u);
+    EXPECT_DOUBLE_EQ(result->iou, 80.0 / 120.0);
+}
+
+TEST(CompareImages, PsnrByHand) {
+    // One of 100 pixels differs by 10 in one channel: MSE = 100 / 400.
+    const Image a(10, 10, Rgba8(50, 60, 70, 255));
+    Image b = a;
+    b.at(3, 4).y = 70;
+    const auto result = compareImages(a, b);
+    ASSERT_TRUE(result);
+    EXPECT_NEAR(result->psnr.value_or(0.0), 10.0 * std::log10(255.0 * 255.0 / 0.25), 1e-12);
+}
+
+TEST(CompareImages, IsSymmetric) {
+    Image a = noise(33, 27, 2);
+    const Image b = noise(33, 27, 3);
+    for (int x = 0; x < 20; ++x) a.at(x, 5).w = 0;
+    const auto ab = compareImages(a, b);
+    const auto ba = compareImages(b, a);
+    ASSERT_TRUE(ab && ba);
+    EXPECT_EQ(ab->mismatched, ba->mismatched);
+    EXPECT_EQ(ab->silhouetteXor, ba->silhouetteXor);
+    EXPECT_EQ(ab->iou, ba->iou);
+    EXPECT_EQ(ab->psnr, ba->psnr);
+    EXPECT_DOUBLE_EQ(ab->flipMean, ba->flipMean);
+    EXPECT_DOUBLE_EQ(ab->ssim, ba->ssim);
+}
+
+TEST(CompareImages, BlackAgainstTransparentIsBlackAgainstGrey) {
+    const Image black(24, 24, Rgba8(0, 0, 0, 255));
+    const Image transparent(24, 24, Rgba8(0));
+    const Image grey(24, 24, kComparisonBackground);
+    const auto seen = compareImages(black, transparent);
+    const auto same = compareImages(black, grey);
+    ASSERT_TRUE(seen && same);
+    EXPECT_EQ(seen->flipMean, same->flipMean);
+    EXPECT_EQ(seen->ssim, same->ssim);
+    EXPECT_GT(seen->flipMean, 0.3);
+}
+
+TEST(CompareImages, RefusesWhatCannotBeCompared) {
+    const auto sizes = compareImages(Image(4, 5), Image(5, 4));
+    ASSERT_FALSE(sizes);
+    EXPECT_NE(sizes.error().message.find("4x5 and 5x4"), std::string::npos)
+        << sizes.error().message;
+    EXPECT_FALSE(compareImages(Image(0, 0), Image(0, 0)));
+}
+
+}  // namespace
+}  // namespace voxprite
