@@ -28,6 +28,9 @@ struct Model {
     bool operator==(const Model&) const = default;
 };
 
+// Frames run from 0 to at most kMaxFrames - 1.
+inline constexpr int kMaxFrames = 1 << 14;
+
 struct PlacementKey {
     int frame = 0;  // from here on, until the next key
     Placement placement;
@@ -50,7 +53,8 @@ struct SceneNode {
     std::vector<int> children;  // indices into Document::nodes, in drawing order: later wins
     std::vector<PlacementKey> placements{PlacementKey{}};  // ascending frames, at least one
     std::vector<ModelKey> models;                          // ascending frames; empty for a group
-    bool loopPlacements = false;  // after its last key the track starts again
+    // After the frame of its last key the track starts again: frame f is f mod (last + 1).
+    bool loopPlacements = false;
     bool loopModels = false;
     Properties attributes;  // what the file said beyond this, kept for writing
 

@@ -49,6 +49,9 @@ struct GameProfile {
     bool operator==(const GameProfile&) const = default;
 };
 
+// One number by itself, under the name that the message shall give it.
+[[nodiscard]] Status checkVoxelSize(const std::string& field, double metres);
+[[nodiscard]] Status checkSigma(const std::string& field, double sigma);
 // Finite and in range, with a message that names the field, its value and the range.
 [[nodiscard]] Status validate(const GameProfile& profile);
 

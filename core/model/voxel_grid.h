@@ -14,10 +14,14 @@
 namespace voxprite {
 
 inline constexpr int kMaxCoordinate = 1 << 24;
+[[nodiscard]] inline bool isInVoxelRange(glm::ivec3 v) {
+    const auto inRange = [](int x) { return x >= -kMaxCoordinate && x <= kMaxCoordinate; };
+    return inRange(v.x) && inRange(v.y) && inRange(v.z);
+}
 
-// A cube of voxels handed out by forEachBlock. When `voxels` is null every voxel in the cube is
-// `uniformValue` (never 0); else edgeVoxels is 8 and voxels[(x << 6) | (y << 3) | z] is the value
-// at origin + (x, y, z).
+// A cube of voxels handed out by forEachBlock, aligned to its edge, a power of eight. When `voxels`
+// is null every voxel in the cube is `uniformValue` (never 0); else edgeVoxels is 8 and voxels[(x
+// << 6) | (y << 3) | z] is the value at origin + (x, y, z).
 struct VoxelBlock {
     glm::ivec3 origin{0};
     int edgeVoxels = 8;
@@ -25,6 +29,8 @@ struct VoxelBlock {
     const std::uint8_t* voxels = nullptr;
 };
 
+// Reading from several threads at once is safe; writing is not. A grid that was moved from may only
+// be assigned to or destroyed.
 class VoxelGrid {
   public:
     VoxelGrid();
@@ -46,8 +52,7 @@ class VoxelGrid {
     // The tight box around the solid voxels; an empty box when there are none. O(blocks).
     [[nodiscard]] IBox bounds() const;
 
-    // Every block that may hold solid voxels, in a fixed order that depends on the voxels alone.
-    // A dense block may be all empty.
+    // Every block that holds solid voxels, in a fixed order that depends on the voxels alone.
     void forEachBlock(const std::function<void(const VoxelBlock&)>& visit) const;
     // Every solid voxel, in that order.
     void forEachSolid(const std::function<void(glm::ivec3 v, std::uint8_t value)>& visit) const;

@@ -1,0 +1,270 @@
+#include "core/model/voxel_grid.h"
+
+#include <openvdb/Types.h>
+#include <openvdb/tree/Tree.h>
+#include <openvdb/tree/ValueAccessor.h>
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "core/base/check.h"
+
+namespace voxprite {
+
+namespace {
+
+// Every level divides its cube by eight on each axis: leaves of 8, then 64, then 512 voxels, below
+// a sorted map of 512-cubes. OpenVDB's usual 5-4-3 is for one big grid; here a model costs
+// kilobytes and not megabytes, though its pivot at the origin makes it touch eight root cells.
+//
+// A voxel is active exactly when its value is not 0, tiles included.
+using Tree = openvdb::tree::Tree4<std::uint8_t, 3, 3, 3>::Type;
+using Leaf = Tree::LeafNodeType;
+using Writer = openvdb::tree::ValueAccessor<Tree, /*IsSafe=*/false>;
+using ConstReader = openvdb::tree::ValueAccessor<const Tree, /*IsSafe=*/false>;
+
+constexpr int kLeafEdge = 8;
+constexpr int kBranching = 8;
+constexpr std::size_t kLeafVoxels = 512;
+static_assert(Leaf::DIM == kLeafEdge && Leaf::NUM_VALUES == kLeafVoxels);
+static_assert(Tree::RootNodeType::ChildNodeType::DIM == 512);
+
+openvdb::Coord coord(glm::ivec3 v) {
+    return {v.x, v.y, v.z};
+}
+
+glm::ivec3 vector(const openvdb::Coord& c) {
+    return {c.x(), c.y(), c.z()};
+}
+
+std::uint64_t voxelsInCube(int edge) {
+    const auto e = static_cast<std::uint64_t>(edge);
+    return e * e * e;
+}
+
+// visit(tile as VoxelBlock) for tiles, visitLeaf(leaf) for leaves, in the order of the tree.
+template <class VisitTile, class VisitLeaf>
+void visitNode(const Leaf& leaf, const VisitTile&, const VisitLeaf& visitLeaf) {
+    if (!leaf.isEmpty()) visitLeaf(leaf);
+}
+
+template <class Node, class VisitTile, class VisitLeaf>
+void visitNode(const Node& node, const VisitTile& visitTile, const VisitLeaf& visitLeaf) {
+    const auto occupied = node.getChildMask() | node.getValueMask();
+    for (openvdb::Index n = occupied.findFirstOn(); n < Node::NUM_VALUES;
+         n = occupied.findNextOn(n + 1)) {
+        if (node.getChildMask().isOn(n)) {
+            visitNode(*node.getTable()[n].getChild(), visitTile, visitLeaf);
+        } else {
+            visitTile(VoxelBlock{vector(node.offsetToGlobalCoord(n)),
+                                 static_cast<int>(Node::ChildNodeType::DIM),
+                                 node.getTable()[n].getValue(), nullptr});
+        }
+    }
+}
+
+template <class VisitTile, class VisitLeaf>
+void visitTree(const Tree& tree, const VisitTile& visitTile, const VisitLeaf& visitLeaf) {
+    using Child = Tree::RootNodeType::ChildNodeType;
+    for (auto cell = tree.root().cbeginChildAll(); cell; ++cell) {
+        std::uint8_t value = 0;
+        if (const Child* child = cell.probeChild(value)) {
+            visitNode(*child, visitTile, visitLeaf);
+        } else if (value != 0) {
+            visitTile(
+                VoxelBlock{vector(cell.getCoord()), static_cast<int>(Child::DIM), value, nullptr});
+        }
+    }
+}
+
+VoxelBlock blockFromLeaf(const Leaf& leaf) {
+    return {vector(leaf.origin()), kLeafEdge, 0, leaf.buffer().data()};
+}
+
+// The eight-fold division of a cube, in the order of the tree: visit(origin of each part).
+template <class Visit>
+void forEachPart(glm::ivec3 origin, int edge, const Visit& visit) {
+    const int part = edge / kBranching;
+    for (int x = 0; x < edge; x += part) {
+        for (int y = 0; y < edge; y += part) {
+            for (int z = 0; z < edge; z += part) visit(origin + glm::ivec3(x, y, z));
+        }
+    }
+}
+
+// The voxels of a tile, in the order they would have as leaves.
+template <class Visit>
+void forEachVoxelOfCube(glm::ivec3 origin, int edge, const Visit& visit) {
+    if (edge == 1) {
+        visit(origin);
+        return;
+    }
+    forEachPart(origin, edge,
+                [&](glm::ivec3 part) { forEachVoxelOfCube(part, edge / kBranching, visit); });
+}
+
+// Edge of the cube around a position that is stored as one value.
+int uniformEdgeAt(const ConstReader& reader, const openvdb::Coord& position) {
+    switch (reader.getValueDepth(position)) {
+        case 3:
+            return 1;
+        case 2:
+            return 8;
+        case 1:
+            return 64;
+        default:
+            return 512;
+    }
+}
+
+// Is every voxel of the cube `value`? Goes only as deep as `reader` itself is divided.
+bool cubeIsUniform(const ConstReader& reader, glm::ivec3 origin, int edge, std::uint8_t value) {
+    const openvdb::Coord position = coord(origin);
+    if (uniformEdgeAt(reader, position) >= edge) return reader.getValue(position) == value;
+    if (edge == kLeafEdge) {
+        const std::uint8_t* voxels = reader.probeConstLeaf(position)->buffer().data();
+        return std::all_of(voxels, voxels + kLeafVoxels,
+                           [value](std::uint8_t v) { return v == value; });
+    }
+    bool uniform = true;
+    forEachPart(origin, edge, [&](glm::ivec3 part) {
+        uniform = uniform && cubeIsUniform(reader, part, edge / kBranching, value);
+    });
+    return uniform;
+}
+
+bool leafEquals(const ConstReader& reader, const Leaf& leaf) {
+    const std::uint8_t* voxels = leaf.buffer().data();
+    if (const Leaf* other = reader.probeConstLeaf(leaf.origin())) {
+        return std::memcmp(voxels, other->buffer().data(), kLeafVoxels) == 0;
+    }
+    const std::uint8_t value = reader.getValue(leaf.origin());
+    return std::all_of(voxels, voxels + kLeafVoxels,
+                       [value](std::uint8_t v) { return v == value; });
+}
+
+}  // namespace
+
+struct VoxelGrid::Impl {
+    Impl() = default;
+    Impl(const Impl& other) : tree(other.tree) {}
+    Impl& operator=(const Impl&) = delete;
+
+    Tree tree{0};
+    Writer writer{tree};  // remembers the last leaf; cleared whenever nodes may go away
+};
+
+VoxelGrid::VoxelGrid() : impl_(std::make_unique<Impl>()) {}
+VoxelGrid::~VoxelGrid() = default;
+VoxelGrid::VoxelGrid(const VoxelGrid& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
+VoxelGrid::VoxelGrid(VoxelGrid&&) noexcept = default;
+VoxelGrid& VoxelGrid::operator=(VoxelGrid&&) noexcept = default;
+
+VoxelGrid& VoxelGrid::operator=(const VoxelGrid& other) {
+    if (this != &other) impl_ = std::make_unique<Impl>(*other.impl_);
+    return *this;
+}
+
+std::uint8_t VoxelGrid::get(glm::ivec3 v) const {
+    return impl_->tree.getValue(coord(v));
+}
+
+void VoxelGrid::set(glm::ivec3 v, std::uint8_t value) {
+    VOXPRITE_CHECK(isInVoxelRange(v));
+    if (value == 0) {
+        impl_->writer.setValueOff(coord(v), 0);
+    } else {
+        impl_->writer.setValueOn(coord(v), value);
+    }
+}
+
+void VoxelGrid::fill(const IBox& box, std::uint8_t value) {
+    if (box.empty()) return;
+    VOXPRITE_CHECK(isInVoxelRange(box.min) && isInVoxelRange(box.max - 1));
+    impl_->writer.clear();
+    const auto fillWith = [&](const IBox& part, bool active) {
+        impl_->tree.sparseFill({coord(part.min), coord(part.max - 1)}, value, active);
+    };
+    if (value != 0) {
+        fillWith(box, true);
+        return;
+    }
+    // Only what is there is cleared: a large box over nothing must not grow the tree.
+    std::vector<IBox> parts;
+    forEachBlock([&](const VoxelBlock& block) {
+        const IBox part = box.intersected({block.origin, block.origin + block.edgeVoxels});
+        if (!part.empty()) parts.push_back(part);
+    });
+    for (const IBox& part : parts) fillWith(part, false);
+}
+
+void VoxelGrid::clear() {
+    impl_->writer.clear();
+    impl_->tree.clear();
+}
+
+std::uint64_t VoxelGrid::solidCount() const {
+    std::uint64_t count = 0;
+    visitTree(
+        impl_->tree, [&](const VoxelBlock& tile) { count += voxelsInCube(tile.edgeVoxels); },
+        [&](const Leaf& leaf) { count += leaf.onVoxelCount(); });
+    return count;
+}
+
+bool VoxelGrid::empty() const {
+    return solidCount() == 0;
+}
+
+IBox VoxelGrid::bounds() const {
+    openvdb::CoordBBox box;
+    if (!impl_->tree.evalActiveVoxelBoundingBox(box)) return {};
+    return {vector(box.min()), vector(box.max()) + 1};
+}
+
+void VoxelGrid::forEachBlock(const std::function<void(const VoxelBlock&)>& visit) const {
+    visitTree(impl_->tree, visit, [&](const Leaf& leaf) { visit(blockFromLeaf(leaf)); });
+}
+
+void VoxelGrid::forEachSolid(
+    const std::function<void(glm::ivec3 v, std::uint8_t value)>& visit) const {
+    visitTree(
+        impl_->tree,
+        [&](const VoxelBlock& tile) {
+            forEachVoxelOfCube(tile.origin, tile.edgeVoxels,
+                               [&](glm::ivec3 v) { visit(v, tile.uniformValue); });
+        },
+        [&](const Leaf& leaf) {
+            for (auto voxel = leaf.cbeginValueOn(); voxel; ++voxel) {
+                visit(vector(voxel.getCoord()), voxel.getValue());
+            }
+        });
+}
+
+bool VoxelGrid::operator==(const VoxelGrid& other) const {
+    // Equally many solid voxels, and all of these are the same in the other.
+    if (solidCount() != other.solidCount()) return false;
+    const ConstReader reader(other.impl_->tree);
+    bool equal = true;
+    visitTree(
+        impl_->tree,
+        [&](const VoxelBlock& tile) {
+            equal = equal && cubeIsUniform(reader, tile.origin, tile.edgeVoxels, tile.uniformValue);
+        },
+        [&](const Leaf& leaf) { equal = equal && leafEquals(reader, leaf); });
+    return equal;
+}
+
+struct VoxelGrid::Reader::Impl {
+    ConstReader reader;
+};
+
+VoxelGrid::Reader::Reader(const VoxelGrid& grid)
+    : impl_(std::make_unique<Impl>(Impl{ConstReader(grid.impl_->tree)})) {}
+VoxelGrid::Reader::~Reader() = default;
+
+std::uint8_t VoxelGrid::Reader::get(glm::ivec3 v) const {
+    return impl_->reader.getValue(coord(v));
+}
+
+}  // namespace voxprite
