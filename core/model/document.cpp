@@ -38,15 +38,15 @@ Status validatePalette(const Palette& palette) {
     return {};
 }
 
-bool isInVoxelRange(const IBox& box) {
+bool boxIsInRange(const IBox& box) {
     return box.empty() || (isInVoxelRange(box.min) && isInVoxelRange(box.max - 1));
 }
 
 Status validateModel(const Model& model, const IBox& bounds, std::size_t index) {
     const std::string name = "model " + std::to_string(index);
     const std::string limit = " reaches beyond +-" + std::to_string(kMaxCoordinate) + " voxels";
-    if (!isInVoxelRange(bounds)) return fail(name + limit);
-    if (!isInVoxelRange(model.canvas)) {
+    if (!boxIsInRange(bounds)) return fail(name + limit);
+    if (!boxIsInRange(model.canvas)) {
         return fail(name + ": its canvas" + limit);
     }
     return {};

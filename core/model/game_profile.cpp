@@ -49,8 +49,8 @@ Status validate(const GameProfile& profile) {
         return s;
     }
     if (Status s = checkRange("viewStepDegrees", profile.viewStepDegrees, 0.0, 45.0); !s) return s;
-    if (profile.outline.colour.a != 255) {
-        return fail("outline.colour has alpha " + std::to_string(profile.outline.colour.a) +
+    if (profile.outline.colour.w != 255) {
+        return fail("outline.colour has alpha " + std::to_string(profile.outline.colour.w) +
                     "; it must be 255");
     }
     return validate(profile.light);

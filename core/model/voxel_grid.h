@@ -52,6 +52,7 @@ class VoxelGrid {
     // The tight box around the solid voxels; an empty box when there are none. O(blocks).
     [[nodiscard]] IBox bounds() const;
 
+    // `voxels` of a block points into the grid itself: it stays valid until the grid next changes.
     // Every block that holds solid voxels, in a fixed order that depends on the voxels alone.
     void forEachBlock(const std::function<void(const VoxelBlock&)>& visit) const;
     // Every solid voxel, in that order.
