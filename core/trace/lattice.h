@@ -18,6 +18,18 @@
 // model's size, in that order, is the hit; the face is that of the last crossing before it. Any
 // walk that skips empty nodes must give this cell and face. Comparing times is comparing products
 // of integers: N_a * |D_b| against N_b * |D_a|.
+//
+// What a second implementation may lean on (the shaders are one):
+// - Mirroring. On an axis with D < 0 negate: O' = -O, D' = -D, face k' = -k, cell c' = -1 - c. Then
+//   the cell after face k' is k', as for D > 0, and neither times nor ties change.
+// - The cell right after a crossing (t = N_a / D_a, axis a) on another axis b with D_b > 0, all
+//   mirrored: floor((O_b * D_a + N_a * D_b - (b > a ? 1 : 0)) / (D_a * 2^P)).
+// - D_b = 0: set the lowest bit of O_b. That never changes its cell and keeps it off every face, so
+//   that no formula needs a special case.
+// - Faces of nodes are clamped to the model's box before their crossings are compared. Then every
+//   face that is ever looked at lies in the box, and fitsNarrow bounds every product.
+// - The box entered is the model's, cut with the root cube: a live octree's bounds may reach beyond
+//   its root, and what lies there is empty.
 #pragma once
 
 #include <array>
@@ -57,17 +69,33 @@ struct LatticeView {
 // virtual pixels along both U and V: 1/2 for whole sigma, half a voxel for sigma below 1, else 1/3.
 [[nodiscard]] double sampleOffsetPx(double sigmaInForce);
 
-// Quantises a view of a model of `modelSize` voxels. D is the integer vector within directionBits
-// that is nearest in angle to `forward`, over all scales (the shortest of equals); U and V follow
-// from right and up. Fails on non-finite input, sigma out of range, or a buffer of more than
-// kMaxBufferPixels (the message names the limit). An empty model has size (0,0).
+// Quantises a view of a model of `modelSize` voxels (0 ... 65,536 an axis). D is the integer vector
+// within directionBits that is nearest in angle to `forward`, over all scales (the shortest of
+// equals); U and V follow from right and up. Fails on non-finite input, axes that are not
+// orthonormal, sigma out of range, or a buffer of more than kMaxBufferPixels (the message names the
+// limit). An empty model has size (0,0).
 [[nodiscard]] Result<LatticeView> quantiseView(const OrthoView& view, glm::ivec3 modelSize);
 
-// Recomputes first and size, for a view that came from elsewhere; checks ranges.
+// The pixels that the model can cover, and one more all round for the outline.
+struct PixelBounds {
+    glm::ivec2 first{0};
+    glm::ivec2 size{0};
+    bool operator==(const PixelBounds&) const = default;
+};
+
+// What `first` and `size` of a lattice have to be: computed from bits, C, D, U and V alone,
+// exactly. No ray outside ever meets the box [0, modelSize]. Fails when the integers are out of
+// range, U, V and D do not span space, or the buffer is too large; (0,0) for an empty model.
+[[nodiscard]] Result<PixelBounds> pixelBounds(const LatticeView& lattice, glm::ivec3 modelSize);
+
+// For a view that came from elsewhere: pixelBounds succeeds and gives this first and size.
 [[nodiscard]] Status validateLattice(const LatticeView& lattice, glm::ivec3 modelSize);
 
-// Do all products of the walk fit 31 bits when coordinates are taken from the model's centre
-// corner? Then GLSL casts with plain int; else it needs the wide path. (C++ always uses 64 bits.)
+// Do all products of the walk fit 31 bits when coordinates are taken from the model's centre corner
+// floor(size / 2) and faces are clamped to the model's box? That is, with O the start of any ray of
+// the buffer and N_a = face - O_a: |i * U_a|, |j * V_a|, their sum, and N_a * |D_b| for all axes a
+// and b. True for 128 cubed at every sigma and for 256 cubed up to sigma 16. Then GLSL casts with
+// plain int; else it needs the wide path. (C++ always uses 64 bits.)
 [[nodiscard]] bool fitsNarrow(const LatticeView& lattice, glm::ivec3 modelSize);
 
 }  // namespace voxprite

@@ -1,0 +1,81 @@
+#include "core/trace/nearest_direction.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace voxprite {
+namespace {
+
+// The components by falling magnitude: direction[axis[0]] is the largest.
+struct Order {
+    int axis[3];
+};
+
+Order orderOf(glm::dvec3 magnitude) {
+    Order order{{0, 1, 2}};
+    const auto swapIfLess = [&](int a, int b) {
+        if (magnitude[order.axis[a]] < magnitude[order.axis[b]])
+            std::swap(order.axis[a], order.axis[b]);
+    };
+    swapIfLess(0, 1);
+    swapIfLess(1, 2);
+    swapIfLess(0, 1);
+    return order;
+}
+
+}  // namespace
+
+// The direction, scaled to (1, b, c) with 1 >= b >= c >= 0, pierces the plane x = s of integer
+// points at (s, s b, s c). For every scale s the nearest vector is one of the four integer points
+// around there: seen in angle their distances are those of a lattice whose basis is reduced, and
+// such a lattice's nearest point is a corner of the cell. With the offset (db, dc) from the
+// piercing point, the cross product gives
+//     sin^2 ~ Q / |v|^2,   Q = db^2 + dc^2 + (db c - dc b)^2,
+// which loses no digits however small the angle.
+glm::ivec3 nearestDirection(glm::dvec3 direction, int bits) {
+    const glm::dvec3 magnitude{std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)};
+    const Order order = orderOf(magnitude);
+    const double b = magnitude[order.axis[1]] / magnitude[order.axis[0]];
+    const double c = magnitude[order.axis[2]] / magnitude[order.axis[0]];
+
+    glm::ivec3 best{1, 0, 0};
+    double bestQ = 0.0;
+    double bestNorm = 0.0;  // |best|^2; 0: none yet
+    for (int s = 1; s <= 1 << bits && (bestNorm == 0.0 || bestQ > 0.0); ++s) {
+        const double scale = s;
+        const double floorB = std::floor(scale * b);
+        const double floorC = std::floor(scale * c);
+        const double restB = scale * b - floorB;
+        const double restC = scale * c - floorC;
+        // Q >= db^2 + dc^2 and |v|^2 <= 3 s^2 rule most scales out at once.
+        const double offB = restB < 0.5 ? restB : 1.0 - restB;
+        const double offC = restC < 0.5 ? restC : 1.0 - restC;
+        if ((offB * offB + offC * offC) * bestNorm > bestQ * (3.0 * scale * scale)) continue;
+        for (int corner = 0; corner < 4; ++corner) {
+            const double stepB = corner & 1;
+            const double stepC = corner >> 1;
+            const double db = stepB - restB;
+            const double dc = stepC - restC;
+            const double skew = db * c - dc * b;
+            const double q = db * db + dc * dc + skew * skew;
+            const double vb = floorB + stepB;
+            const double vc = floorC + stepC;
+            const double norm = scale * scale + vb * vb + vc * vc;
+            if (bestNorm != 0.0 && q * bestNorm >= bestQ * norm) continue;
+            best = {s, static_cast<int>(vb), static_cast<int>(vc)};
+            bestQ = q;
+            bestNorm = norm;
+        }
+    }
+
+    // The shortest of equals: rounding may have preferred a multiple.
+    best /= std::gcd(best.x, std::gcd(best.y, best.z));
+    glm::ivec3 result{0};
+    for (int k = 0; k < 3; ++k) {
+        const int axis = order.axis[k];
+        result[axis] = direction[axis] < 0.0 ? -best[k] : best[k];
+    }
+    return result;
+}
+
+}  // namespace voxprite

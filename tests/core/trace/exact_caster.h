@@ -1,0 +1,17 @@
+// The rule of core/trace/lattice.h word for word: list every crossing with every face of the box as
+// an exact fraction, sort by (time, axis), and look into the cell behind each.
+#pragma once
+
+#include "core/trace/lattice_caster.h"
+#include "tests/core/trace/dense_model.h"
+
+namespace voxprite::test {
+
+[[nodiscard]] LatticeHit castExact(const DenseModel& model, const LatticeRay& ray);
+
+// So that failures print what was hit.
+[[nodiscard]] bool sameHit(const LatticeHit& a, const LatticeHit& b);
+[[nodiscard]] std::string describe(const LatticeHit& hit);
+[[nodiscard]] std::string describe(const LatticeRay& ray);
+
+}  // namespace voxprite::test
