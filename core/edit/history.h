@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/boxed.h"
 #include "core/model/document.h"
 #include "core/model/game_profile.h"
 
@@ -20,7 +21,11 @@ struct VoxelChange {
     bool operator==(const VoxelChange&) const = default;
 };
 
-// Sparse before/after of one model. No position twice, no change with before == after.
+// Every part says what shall be; what was there before is recorded by History::execute itself, so
+// that undo is exact even when the caller's `before` is stale.
+
+// Sparse before/after of one model. In a recorded step: ascending positions (x, then y, then z),
+// none twice, no change with before == after.
 struct VoxelPatch {
     int model = 0;
     std::vector<VoxelChange> changes;
@@ -28,7 +33,7 @@ struct VoxelPatch {
 
 // A whole value replaced by another of its kind.
 struct PaletteEdit {
-    Palette before, after;
+    Boxed<Palette> before, after;  // boxed: 22 KB each, and most steps hold none
 };
 struct EntityEdit {
     Entity before, after;
@@ -37,7 +42,8 @@ struct ProfileEdit {
     GameProfile before, after;
 };
 // The scene graph with its layers and clips; models themselves are only ever appended or, on undo,
-// removed again (`addedModels` are the ones that stand behind modelsBefore).
+// removed again. `addedModels` stand behind the first modelsBefore of the document; while the step
+// is in force the document holds them and the list is empty.
 struct SceneState {
     std::vector<SceneNode> nodes;
     std::vector<Layer> layers;
@@ -50,11 +56,13 @@ struct SceneEdit {
     std::vector<Model> addedModels;
 };
 
+using ActionPart = std::variant<VoxelPatch, PaletteEdit, EntityEdit, ProfileEdit, SceneEdit>;
+
 struct Action {
     std::string label;  // "Attach 12 voxels"; shown in the history panel
-    std::vector<std::variant<VoxelPatch, PaletteEdit, EntityEdit, ProfileEdit, SceneEdit>> parts;
+    std::vector<ActionPart> parts;
     // Actions with the same non-zero key that follow each other become one step (a slider drag, a
-    // stroke of the brush). A new stroke takes a new key.
+    // stroke of the brush), with the later label. A new stroke takes a new key.
     std::uint64_t mergeKey = 0;
 
     [[nodiscard]] std::size_t bytes() const;  // memory held, about
@@ -86,7 +94,9 @@ struct Changed {
 class History {
   public:
     // Applies `action` and records it; an action that changes nothing is not recorded. Drops the
-    // redoable steps, and the oldest ones while more than memoryLimitBytes() are held.
+    // redoable steps, and the oldest ones while more than memoryLimitBytes() are held; the newest
+    // always stays. A step that merging has brought back to its start goes away. Nothing merges
+    // into a step at which the workspace was saved, so that undo leads back to what was saved.
     Changed execute(Workspace& workspace, Action action);
     // Nothing to undo or redo: returns nothing changed.
     Changed undo(Workspace& workspace);
@@ -99,6 +109,7 @@ class History {
     [[nodiscard]] std::size_t bytes() const { return bytes_; }
     [[nodiscard]] std::size_t memoryLimitBytes() const { return memoryLimitBytes_; }
     void setMemoryLimitBytes(std::size_t limit) { memoryLimitBytes_ = limit; }
+    // Forgets all steps; the workspace stays as it is.
     void clear();
 
     // Is the workspace as it was at the last markSaved()?
@@ -108,6 +119,10 @@ class History {
     void markSaved() { savedPosition_ = static_cast<long long>(position_); }
 
   private:
+    void dropRedoable();
+    void record(const Workspace& workspace, Action action);
+    void dropOldest();
+
     std::vector<Action> steps_;
     std::size_t position_ = 0;
     std::size_t bytes_ = 0;

@@ -216,6 +216,14 @@ bool VoxelGrid::empty() const {
     return solidCount() == 0;
 }
 
+std::size_t VoxelGrid::bytes() const {
+    using Upper = Tree::RootNodeType::ChildNodeType;
+    using Lower = Upper::ChildNodeType;
+    const std::vector<openvdb::Index32> nodes = impl_->tree.nodeCount();  // leaves first
+    return sizeof(Impl) + nodes[0] * (sizeof(Leaf) + kLeafVoxels) + nodes[1] * sizeof(Lower) +
+           nodes[2] * sizeof(Upper);
+}
+
 IBox VoxelGrid::bounds() const {
     openvdb::CoordBBox box;
     if (!impl_->tree.evalActiveVoxelBoundingBox(box)) return {};

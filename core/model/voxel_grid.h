@@ -49,6 +49,7 @@ class VoxelGrid {
 
     [[nodiscard]] std::uint64_t solidCount() const;  // O(blocks)
     [[nodiscard]] bool empty() const;
+    [[nodiscard]] std::size_t bytes() const;  // memory held, about
     // The tight box around the solid voxels; an empty box when there are none. O(blocks).
     [[nodiscard]] IBox bounds() const;
 

@@ -1,0 +1,78 @@
+#include "core/edit/patches.h"
+
+#include "core/base/check.h"
+#include "core/edit/voxel_changes.h"
+
+namespace voxprite {
+
+namespace {
+
+const VoxelGrid& voxelsOf(const Document& document, int model) {
+    VOXPRITE_CHECK(model >= 0 && static_cast<std::size_t>(model) < document.models.size());
+    return document.models[static_cast<std::size_t>(model)].voxels;
+}
+
+std::uint8_t valueAfter(std::uint8_t before, EditMode mode, std::uint8_t value) {
+    switch (mode) {
+        case EditMode::attach:
+            return before == 0 ? value : before;
+        case EditMode::erase:
+            return 0;
+        case EditMode::paint:
+            return before == 0 ? before : value;
+    }
+    return before;
+}
+
+void addChange(VoxelPatch& patch, glm::ivec3 position, std::uint8_t before, std::uint8_t after) {
+    if (before != after) patch.changes.push_back({position, before, after});
+}
+
+template <class Visit>
+void forEachPosition(const IBox& box, const Visit& visit) {
+    for (int x = box.min.x; x < box.max.x; ++x) {
+        for (int y = box.min.y; y < box.max.y; ++y) {
+            for (int z = box.min.z; z < box.max.z; ++z) visit(glm::ivec3(x, y, z));
+        }
+    }
+}
+
+}  // namespace
+
+VoxelPatch patchVoxels(const Document& document, int model, std::span<const glm::ivec3> positions,
+                       EditMode mode, std::uint8_t value) {
+    VoxelPatch patch{model, {}};
+    const VoxelGrid::Reader reader(voxelsOf(document, model));
+    for (const glm::ivec3 position : positions) {
+        if (!isInVoxelRange(position)) continue;
+        const std::uint8_t before = reader.get(position);
+        addChange(patch, position, before, valueAfter(before, mode, value));
+    }
+    patch.changes = uniqueChanges(std::move(patch.changes));
+    return patch;
+}
+
+VoxelPatch patchBox(const Document& document, int model, const IBox& requested, EditMode mode,
+                    std::uint8_t value) {
+    VoxelPatch patch{model, {}};
+    const VoxelGrid& voxels = voxelsOf(document, model);
+    const IBox box =
+        requested.intersected({glm::ivec3(-kMaxCoordinate), glm::ivec3(kMaxCoordinate + 1)});
+    const VoxelGrid::Reader reader(voxels);
+    const auto visit = [&](glm::ivec3 position) {
+        const std::uint8_t before = reader.get(position);
+        addChange(patch, position, before, valueAfter(before, mode, value));
+    };
+    if (mode == EditMode::attach) {
+        forEachPosition(box, visit);
+    } else {
+        voxels.forEachBlock([&](const VoxelBlock& block) {
+            const IBox cube{block.origin, block.origin + block.edgeVoxels};
+            forEachPosition(box.intersected(cube), visit);
+        });
+    }
+    patch.changes = uniqueChanges(std::move(patch.changes));
+    return patch;
+}
+
+}  // namespace voxprite

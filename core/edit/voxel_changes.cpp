@@ -1,0 +1,55 @@
+#include "core/edit/voxel_changes.h"
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+
+namespace voxprite {
+
+namespace {
+
+bool comesBefore(const VoxelChange& a, const VoxelChange& b) {
+    return std::tie(a.position.x, a.position.y, a.position.z) <
+           std::tie(b.position.x, b.position.y, b.position.z);
+}
+
+// Joins neighbours of one position: the first before, the last after.
+void joinRuns(std::vector<VoxelChange>& sorted) {
+    auto kept = sorted.begin();
+    for (auto change = sorted.begin(); change != sorted.end();) {
+        VoxelChange joined = *change++;
+        while (change != sorted.end() && change->position == joined.position) {
+            joined.after = (change++)->after;
+        }
+        *kept++ = joined;
+    }
+    sorted.erase(kept, sorted.end());
+}
+
+}  // namespace
+
+std::vector<VoxelChange> uniqueChanges(std::vector<VoxelChange> changes) {
+    if (!std::is_sorted(changes.begin(), changes.end(), comesBefore)) {
+        std::stable_sort(changes.begin(), changes.end(), comesBefore);
+    }
+    joinRuns(changes);
+    return changes;
+}
+
+void dropUnchanged(std::vector<VoxelChange>& changes) {
+    std::erase_if(changes, [](const VoxelChange& change) { return change.before == change.after; });
+}
+
+std::vector<VoxelChange> mergedChanges(const std::vector<VoxelChange>& earlier,
+                                       const std::vector<VoxelChange>& later) {
+    std::vector<VoxelChange> merged;
+    merged.reserve(earlier.size() + later.size());
+    // std::merge is stable: at one position what came earlier stays in front.
+    std::merge(earlier.begin(), earlier.end(), later.begin(), later.end(),
+               std::back_inserter(merged), comesBefore);
+    joinRuns(merged);
+    dropUnchanged(merged);
+    return merged;
+}
+
+}  // namespace voxprite
