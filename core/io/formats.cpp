@@ -1,0 +1,108 @@
+#include "core/io/formats.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "core/base/file.h"
+#include "core/io/project_file.h"
+#include "core/io/svo_file.h"
+#include "core/io/vox.h"
+
+namespace voxprite {
+namespace {
+
+constexpr std::array kFormats{std::pair{Format::vox, "vox"},
+                              std::pair{Format::voxprite, "voxprite"},
+                              std::pair{Format::svo, "svo"}};
+
+Result<LoadedDocument> readAs(Format format, ByteView bytes) {
+    LoadedDocument loaded;
+    loaded.format = format;
+    switch (format) {
+        case Format::vox: {
+            Result<VoxImport> import = readVox(bytes);
+            if (!import) return Failure(import.error());
+            loaded.document = std::move(import->document);
+            loaded.warnings = std::move(import->warnings);
+            break;
+        }
+        case Format::voxprite: {
+            Result<Document> document = readProject(bytes);
+            if (!document) return Failure(document.error());
+            loaded.document = std::move(*document);
+            break;
+        }
+        case Format::svo: {
+            const Result<SvoFile> file = readSvo(bytes);
+            if (!file) return Failure(file.error());
+            loaded.document = documentFromSvo(*file);
+            break;
+        }
+    }
+    return loaded;
+}
+
+Result<Bytes> exportOf(const Document& document, const GameProfile& profile) {
+    const Result<SvoFile> baked = bakeForExport(document, profile);
+    if (!baked) return Failure(baked.error());
+    Result<Bytes> bytes = writeSvo(*baked);
+    if (!bytes) return bytes;
+    if (Status same = verifyExport(*bytes, document); !same) return Failure(same.error());
+    return bytes;
+}
+
+Result<Bytes> writeAs(Format format, const Document& document, const GameProfile& profile) {
+    switch (format) {
+        case Format::vox:
+            return writeVox(document);
+        case Format::voxprite:
+            return writeProject(document, {profile.voxelSizeMetres, profile.sigma});
+        case Format::svo:
+            return exportOf(document, profile);
+    }
+    return fail("unknown format");
+}
+
+}  // namespace
+
+Result<Format> formatOf(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    for (const auto& [format, name] : kFormats) {
+        if (ending == std::string(".") + name) return format;
+    }
+    return failInFile(path.string(),
+                      ending.empty()
+                          ? "the file's name has no ending (.vox, .voxprite, .svo)"
+                          : "unknown file ending " + ending + " (known: .vox, .voxprite, .svo)");
+}
+
+const char* nameOf(Format format) {
+    for (const auto& [value, name] : kFormats) {
+        if (value == format) return name;
+    }
+    return "unknown";
+}
+
+Result<LoadedDocument> loadDocument(const std::filesystem::path& path) {
+    const Result<Format> format = formatOf(path);
+    if (!format) return Failure(format.error());
+    const Result<Bytes> bytes = readFile(path);
+    if (!bytes) return inFile(Result<LoadedDocument>(Failure(bytes.error())), path.string());
+    return inFile(readAs(*format, *bytes), path.string());
+}
+
+Status saveDocument(const std::filesystem::path& path, const Document& document,
+                    const GameProfile& profile) {
+    const Result<Format> format = formatOf(path);
+    if (!format) return Failure(format.error());
+    const Result<Bytes> bytes = writeAs(*format, document, profile);
+    if (!bytes) return inFile(Status(Failure(bytes.error())), path.string());
+    return inFile(writeFileAtomically(path, *bytes), path.string());
+}
+
+}  // namespace voxprite
