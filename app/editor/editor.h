@@ -1,0 +1,34 @@
+// The editor: one window, two live views of one document. Everything else in this folder is
+// private to it.
+#pragma once
+
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace voxprite {
+
+struct EditorOptions {
+    std::vector<std::filesystem::path> files;      // the first is opened
+    std::optional<std::filesystem::path> profile;  // game profile in use
+    // Writes the window's content to a PNG after `frames` frames and quits.
+    std::optional<std::filesystem::path> screenshot;
+    int frames = 3;
+    // At content scale 1; the window is that much larger on a denser display, as far as it fits.
+    glm::ivec2 windowPx{1280, 800};
+    std::optional<double> contentScale;  // else the display's own (Xft.dpi and its like)
+    // JSON lines of input, replayed instead of the user's (see play_script.h).
+    std::optional<std::filesystem::path> playScript;
+    std::optional<std::filesystem::path> record;  // the user's input is written here
+    // Where widgets and views lie on screen is written here whenever it changes, for tests.
+    std::optional<std::filesystem::path> layoutDump;
+};
+
+// Returns when the user closes the window. Fails when there is no display, no OpenGL 4.5, or a
+// file named in the options cannot be used.
+[[nodiscard]] Status runEditor(const EditorOptions& options);
+
+}  // namespace voxprite

@@ -1,0 +1,56 @@
+#include "app/editor/orbit_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace voxprite::editor {
+namespace {
+
+constexpr double kDegreesPerPx = 0.4;
+constexpr double kZoomPerNotch = 0.87;
+constexpr double kMinDistance = 1e-4;
+constexpr double kMaxDistance = 1e9;
+constexpr double kAirAround = 1.08;
+
+}  // namespace
+
+Camera OrbitCamera::camera(glm::ivec2 viewportPx) const {
+    Camera camera =
+        orbitCamera({yawDegrees, pitchDegrees, 0.0}, target, distance, kViewFovDegrees, viewportPx);
+    camera.nearMetres = distance * 1e-3;
+    return camera;
+}
+
+void OrbitCamera::orbit(glm::dvec2 movedPx) {
+    yawDegrees = std::remainder(yawDegrees - movedPx.x * kDegreesPerPx, 360.0);
+    pitchDegrees = std::clamp(pitchDegrees + movedPx.y * kDegreesPerPx, -90.0, 90.0);
+}
+
+void OrbitCamera::pan(glm::dvec2 movedPx, glm::ivec2 viewportPx) {
+    const Camera now = camera(viewportPx);
+    const double step = now.metresPerScreenPx(distance);
+    target += (-movedPx.x * now.right + movedPx.y * now.up) * step;
+}
+
+void OrbitCamera::zoom(double notches, glm::dvec2 pointerPx, glm::ivec2 viewportPx) {
+    const double wanted = distance * std::pow(kZoomPerNotch, notches);
+    const double factor = std::clamp(wanted, kMinDistance, kMaxDistance) / distance;
+    const Camera now = camera(viewportPx);
+    const glm::dvec2 fromCentre = pointerPx - glm::dvec2(viewportPx) * 0.5;
+    const glm::dvec3 under = target + (fromCentre.x * now.right - fromCentre.y * now.up) *
+                                          now.metresPerScreenPx(distance);
+    target = under + (target - under) * factor;
+    distance *= factor;
+}
+
+void OrbitCamera::frame(glm::dvec3 centre, double radius, glm::ivec2 viewportPx) {
+    const glm::dvec2 size = glm::max(glm::dvec2(viewportPx), glm::dvec2(1.0));
+    const double vertical = std::tan(kViewFovDegrees * 0.5 * std::acos(-1.0) / 180.0);
+    const double narrower = vertical * std::min(1.0, size.x / size.y);
+    target = centre;
+    distance =
+        std::clamp(kAirAround * radius / std::sin(std::atan(narrower)), kMinDistance, kMaxDistance);
+}
+
+}  // namespace voxprite::editor

@@ -1,0 +1,31 @@
+// A camera that turns about a target: how both views are looked around in. Double precision.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "core/sprite/camera.h"
+
+namespace voxprite::editor {
+
+struct OrbitCamera {
+    glm::dvec3 target{0.0};  // world; in the unit of its view
+    double yawDegrees = 30.0;
+    double pitchDegrees = 20.0;  // -90 ... 90
+    double distance = 10.0;      // from the target, 1e-4 ... 1e9
+
+    bool operator==(const OrbitCamera&) const = default;
+
+    [[nodiscard]] Camera camera(glm::ivec2 viewportPx) const;
+    // The picture follows the pointer, moved by so many pixels.
+    void orbit(glm::dvec2 movedPx);
+    void pan(glm::dvec2 movedPx, glm::ivec2 viewportPx);
+    // Positive notches come nearer. What lies under the pointer at the target's depth stays there.
+    void zoom(double notches, glm::dvec2 pointerPx, glm::ivec2 viewportPx);
+    // A sphere fills the view; the direction stays.
+    void frame(glm::dvec3 centre, double radius, glm::ivec2 viewportPx);
+};
+
+inline constexpr double kViewFovDegrees = 40.0;
+
+}  // namespace voxprite::editor

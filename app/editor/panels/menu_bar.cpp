@@ -1,0 +1,84 @@
+#include <algorithm>
+#include <cmath>
+
+#include "app/editor/icons.h"
+#include "app/editor/panels/panels.h"
+#include "app/editor/widgets.h"
+
+namespace voxprite::editor {
+namespace {
+
+void item(Ui& ui, const Command& command) {
+    if (command.separator) ImGui::Separator();
+    const std::string label =
+        (*command.icon != '\0' ? std::string(command.icon) + "  " : std::string("      ")) +
+        command.name;
+    const std::string keys = chordText(command.chord);
+    if (ImGui::MenuItem(label.c_str(), keys.c_str(), isOn(command.id, ui.settings),
+                        isEnabled(command.id, ui.session))) {
+        ui.commands.ask(command.id);
+    }
+    ui.probe.markItem(std::string("menu.") + command.name);
+}
+
+std::optional<std::filesystem::path> recentFiles(Ui& ui) {
+    std::optional<std::filesystem::path> chosen;
+    const auto& recent = ui.settings.window.recent;
+    if (!ImGui::BeginMenu("      Open recent", !recent.empty())) return chosen;
+    for (const std::filesystem::path& file : recent) {
+        ImGui::PushID(file.c_str());
+        if (ImGui::MenuItem(file.filename().c_str())) chosen = file;
+        tooltip(ui, file.c_str());
+        ImGui::PopID();
+    }
+    ImGui::EndMenu();
+    return chosen;
+}
+
+// The document's name in the middle; a dot while it is not saved.
+void documentName(Ui& ui) {
+    const std::string name = ui.session.title() + (ui.session.unsaved() ? "  •" : "");
+    const float width = ImGui::CalcTextSize(name.c_str()).x;
+    const float middle = std::round((ImGui::GetWindowWidth() - width) * 0.5f);
+    ImGui::SameLine(std::max(middle, ImGui::GetCursorPosX() + ui.theme.px(16)), 0.0f);
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.textDim);
+    ImGui::TextUnformatted(name.c_str());
+    ImGui::PopStyleColor();
+    ui.probe.markItem("menu.document");
+    if (ui.session.path()) tooltip(ui, ui.session.path()->c_str());
+}
+
+}  // namespace
+
+std::optional<std::filesystem::path> drawMenuBar(Ui& ui) {
+    struct Entry {
+        MenuId id;
+        const char* title;
+    };
+    constexpr Entry kMenus[] = {{MenuId::file, "File"},
+                                {MenuId::edit, "Edit"},
+                                {MenuId::tool, "Tools"},
+                                {MenuId::view, "View"}};
+    std::optional<std::filesystem::path> chosen;
+    if (!ImGui::BeginMenuBar()) return chosen;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ui.theme.px(8, 8));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ui.theme.px(10, 7));
+    for (const Entry& menu : kMenus) {
+        const bool open = ImGui::BeginMenu(menu.title);
+        if (!open) ui.probe.markItem(std::string("menu.") + menu.title);
+        if (!open) continue;
+        for (const Command& command : commands()) {
+            if (command.menu != menu.id) continue;
+            item(ui, command);
+            if (command.id != CommandId::open) continue;
+            if (auto file = recentFiles(ui)) chosen = file;
+        }
+        ImGui::EndMenu();
+    }
+    ImGui::PopStyleVar(2);
+    documentName(ui);
+    ImGui::EndMenuBar();
+    return chosen;
+}
+
+}  // namespace voxprite::editor

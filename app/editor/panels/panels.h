@@ -1,0 +1,21 @@
+// The panels around the views. Each draws into the current ImGui window.
+#pragma once
+
+#include "app/editor/ui.h"
+
+namespace voxprite::editor {
+
+void drawToolColumn(Ui& ui);
+void drawInspector(Ui& ui);
+void drawPalette(Ui& ui);
+void drawObjects(Ui& ui);
+void drawHistory(Ui& ui);
+void drawStatusBar(Ui& ui);
+// The bar at the top; returns a recent file that was chosen.
+[[nodiscard]] std::optional<std::filesystem::path> drawMenuBar(Ui& ui);
+
+// Which commands make sense now, and which show a state that is on.
+[[nodiscard]] bool isEnabled(CommandId id, const Session& session);
+[[nodiscard]] bool isOn(CommandId id, const EditorSettings& settings);
+
+}  // namespace voxprite::editor

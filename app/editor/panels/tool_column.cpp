@@ -1,0 +1,48 @@
+// The narrow column on the left: tools, brush shapes, gizmos, what the views show.
+#include "app/editor/panels/panels.h"
+#include "app/editor/widgets.h"
+
+namespace voxprite::editor {
+namespace {
+
+void group(Ui& ui, std::initializer_list<CommandId> ids) {
+    const float size = ui.theme.px(36);
+    for (const CommandId id : ids) {
+        commandButton(ui, id, isOn(id, ui.settings), size, ui.theme.fonts.icons);
+    }
+}
+
+void divider(Ui& ui) {
+    const Theme& theme = ui.theme;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float y = at.y + theme.px(4);
+    ImGui::GetWindowDrawList()->AddLine({at.x + theme.px(6), y}, {at.x + theme.px(30), y},
+                                        theme.line, theme.px(1));
+    ImGui::Dummy({theme.px(36), theme.px(9)});
+}
+
+}  // namespace
+
+void drawToolColumn(Ui& ui) {
+    using enum CommandId;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ui.theme.px(0, 2));
+    group(ui, {attach, erase, paint, pickColour, pickAnchor});
+    divider(ui);
+    group(ui, {shapeVoxel, shapeBox});
+    divider(ui);
+    group(ui, {gizmoMove, gizmoRotate, gizmoScale});
+    divider(ui);
+    group(ui, {toggleProxyBox, toggleAnchorMarker, toggleLockCameras, frameModel});
+
+    // The colour in hand, always in sight.
+    const Theme& theme = ui.theme;
+    const Rgba8 colour = ui.session.document().palette.colours[ui.settings.tool.colour];
+    const ImVec2 min = ImGui::GetCursorScreenPos();
+    const ImVec2 corner(min.x + theme.px(5), min.y + theme.px(10));
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        corner, {corner.x + theme.px(26), corner.y + theme.px(26)},
+        IM_COL32(colour.x, colour.y, colour.z, 255), theme.px(6));
+    ImGui::PopStyleVar();
+}
+
+}  // namespace voxprite::editor

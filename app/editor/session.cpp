@@ -1,0 +1,159 @@
+#include "app/editor/session.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace voxprite::editor {
+
+Session::Session() {
+    // An empty model always fits.
+    static_cast<void>(rebuild());
+}
+
+Status Session::perform(Action action) {
+    const Changed changed = history_.execute(workspace_, std::move(action));
+    Status followed = follow(changed);
+    if (!followed) {
+        // The document went where the octree cannot: take it back. What was there before fits.
+        static_cast<void>(follow(history_.undo(workspace_)));
+    }
+    return followed;
+}
+
+Status Session::undo() {
+    return follow(history_.undo(workspace_));
+}
+
+Status Session::redo() {
+    return follow(history_.redo(workspace_));
+}
+
+Status Session::follow(const Changed& changed) {
+    if (!changed.any()) return {};
+    ++revision_;
+    if (changed.scene || changed.palette || !changed.voxels.empty()) ++modelRevision_;
+    if (changed.scene) return rebuild();
+    for (const Changed::Voxels& voxels : changed.voxels) {
+        if (Status followed = followVoxels(voxels); !followed) return followed;
+    }
+    return {};
+}
+
+Status Session::followVoxels(const Changed::Voxels& changed) {
+    std::vector<LiveOctree::Edit> edits;
+    for (const Instance& instance : sampler_->instances()) {
+        if (instance.model != changed.model) continue;
+        for (const glm::ivec3 position : changed.positions) {
+            const glm::ivec3 voxel = instance.entityFromModel.applyToVoxel(position);
+            edits.push_back({voxel, sampler_->at(voxel)});
+        }
+    }
+    growOrShrinkBounds(changed);
+    return octree_.apply(edits);
+}
+
+void Session::growOrShrinkBounds(const Changed::Voxels& changed) {
+    const auto model = static_cast<std::size_t>(changed.model);
+    const VoxelGrid::Reader reader(workspace_.document.models[model].voxels);
+    IBox grown = bounds_;
+    bool mayShrink = false;
+    for (const Placement& place : placesOfModel_[model]) {
+        for (const glm::ivec3 position : changed.positions) {
+            const glm::ivec3 voxel = place.applyToVoxel(position);
+            if (reader.get(position) != 0) {
+                grown = grown.united(IBox::around(voxel, voxel));
+            } else if (!grown.empty()) {
+                const IBox inner{grown.min + 1, grown.max - 1};
+                mayShrink = mayShrink || !inner.contains(voxel);
+            }
+        }
+    }
+    bounds_ = mayShrink ? entityBounds(workspace_.document) : grown;
+}
+
+Status Session::rebuild() {
+    const Document& document = workspace_.document;
+    frames_ = frameCount(document);
+    frame_ = std::clamp(frame_, 0, frames_ - 1);
+    if (Status rebuilt = octree_.rebuild(flatten(document, frame_)); !rebuilt) return rebuilt;
+    sampler_.emplace(document, frame_);
+    bounds_ = entityBounds(document);
+
+    placesOfModel_.assign(document.models.size(), {});
+    for (int frame = 0; frame < frames_; ++frame) {
+        for (const Instance& instance : instancesOf(document, frame)) {
+            auto& places = placesOfModel_[static_cast<std::size_t>(instance.model)];
+            if (std::ranges::find(places, instance.entityFromModel) == places.end()) {
+                places.push_back(instance.entityFromModel);
+            }
+        }
+    }
+    chooseActiveNode();
+    return {};
+}
+
+Status Session::setFrame(int frame) {
+    if (frame == frame_ || frame < 0 || frame >= frames_) return {};
+    const int before = std::exchange(frame_, frame);
+    ++revision_;
+    ++modelRevision_;
+    Status rebuilt = octree_.rebuild(flatten(workspace_.document, frame_));
+    if (!rebuilt) {
+        frame_ = before;
+        return rebuilt;
+    }
+    sampler_.emplace(workspace_.document, frame_);
+    return {};
+}
+
+void Session::chooseActiveNode() {
+    const auto& nodes = document().nodes;
+    const auto isObject = [&](int node) {
+        return node >= 0 && static_cast<std::size_t>(node) < nodes.size() &&
+               !nodes[static_cast<std::size_t>(node)].isGroup();
+    };
+    if (isObject(activeNode_)) return;
+    activeNode_ = -1;
+    if (!instances().empty()) {
+        activeNode_ = instances().back().node;
+        return;
+    }
+    const auto object = std::ranges::find_if(nodes, [](const auto& n) { return !n.isGroup(); });
+    if (object != nodes.end()) activeNode_ = static_cast<int>(object - nodes.begin());
+}
+
+void Session::setActiveNode(int node) {
+    activeNode_ = node;
+    chooseActiveNode();
+}
+
+std::optional<Instance> Session::activeInstance() const {
+    const auto& all = instances();
+    const auto found = std::ranges::find(all, activeNode_, &Instance::node);
+    if (found == all.end()) return std::nullopt;
+    return *found;
+}
+
+int Session::nodeAt(glm::ivec3 entityVoxel) const {
+    const auto& all = instances();
+    for (auto instance = all.rbegin(); instance != all.rend(); ++instance) {
+        const auto model = static_cast<std::size_t>(instance->model);
+        const glm::ivec3 position = instance->entityFromModel.inverse().applyToVoxel(entityVoxel);
+        if (document().models[model].voxels.get(position) != 0) return instance->node;
+    }
+    return -1;
+}
+
+PlacedEntity Session::placedInGame() const {
+    return placeEntity(document().entity, bounds_, profile());
+}
+
+PlacedEntity Session::placedForEditing() const {
+    PlacedEntity placed = placeEntity(Entity{}, bounds_, GameProfile{});
+    placed.anchor = -glm::dvec3(bounds_.min);
+    placed.anchorMetres = glm::dvec3(0.0);
+    placed.voxelSizeMetres = 1.0;
+    return placed;
+}
+
+}  // namespace voxprite::editor

@@ -1,0 +1,116 @@
+// One open document and everything that follows from it: history, live octree of the frame shown,
+// bounds, the file it came from. Knows neither window nor GPU.
+//
+// All changes go one way: perform(action) -> history -> document -> live octree, of which only the
+// voxels that changed are touched. Whoever shows the octree asks for takeOctreeChanges().
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/edit/history.h"
+#include "core/model/entity_voxels.h"
+#include "core/sprite/sprite_view.h"
+#include "core/svo/live_octree.h"
+
+namespace voxprite::editor {
+
+class Session {
+  public:
+    Session();  // a new document, one empty model
+    // Derived data points into the workspace.
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    [[nodiscard]] const Document& document() const { return workspace_.document; }
+    [[nodiscard]] const GameProfile& profile() const { return workspace_.profile; }
+    [[nodiscard]] const Workspace& workspace() const { return workspace_; }
+    [[nodiscard]] const History& history() const { return history_; }
+    [[nodiscard]] const LiveOctree& octree() const { return octree_; }
+    [[nodiscard]] OctreeChanges takeOctreeChanges() { return octree_.takeChanges(); }
+    // Of the entity, all frames together; empty when there is no voxel.
+    [[nodiscard]] const IBox& bounds() const { return bounds_; }
+    // Rises with every change that a view could show; modelRevision only with those of voxels,
+    // palette and scene.
+    [[nodiscard]] std::uint64_t revision() const { return revision_; }
+    [[nodiscard]] std::uint64_t modelRevision() const { return modelRevision_; }
+
+    // Fails, with nothing changed, when the model would outgrow what an octree can hold.
+    [[nodiscard]] Status perform(Action action);
+    [[nodiscard]] Status undo();
+    [[nodiscard]] Status redo();
+    // A key of its own for the actions of one stroke or drag, which become one step.
+    [[nodiscard]] std::uint64_t newMergeKey() { return ++lastMergeKey_; }
+
+    [[nodiscard]] int frame() const { return frame_; }
+    [[nodiscard]] int frames() const { return frames_; }
+    [[nodiscard]] Status setFrame(int frame);
+
+    // The object that tools edit: an index into Document::nodes, or -1 when there is none.
+    [[nodiscard]] int activeNode() const { return activeNode_; }
+    void setActiveNode(int node);
+    // Where it lies in this frame; nothing while it is hidden.
+    [[nodiscard]] std::optional<Instance> activeInstance() const;
+    // The object whose voxel shows at an entity voxel; -1 where it is empty.
+    [[nodiscard]] int nodeAt(glm::ivec3 entityVoxel) const;
+    [[nodiscard]] const std::vector<Instance>& instances() const { return sampler_->instances(); }
+
+    // The entity as it stands in the game; and as it is edited: entity space itself, one unit a
+    // voxel, its origin at the world's, so that nothing moves while voxels are added.
+    [[nodiscard]] PlacedEntity placedInGame() const;
+    [[nodiscard]] PlacedEntity placedForEditing() const;
+
+    [[nodiscard]] Status startNew();
+    [[nodiscard]] Status open(const std::filesystem::path& path);
+    // Native, .vox or .svo, by the ending. Only the native format makes the document saved under
+    // that name; the others are exports.
+    [[nodiscard]] Status saveAs(const std::filesystem::path& path);
+    [[nodiscard]] Status openProfile(const std::filesystem::path& path);
+    [[nodiscard]] Status saveProfile(const std::filesystem::path& path);
+
+    [[nodiscard]] const std::optional<std::filesystem::path>& path() const { return path_; }
+    [[nodiscard]] const std::optional<std::filesystem::path>& profilePath() const {
+        return profilePath_;
+    }
+    // Can be saved under its own name without asking for another.
+    [[nodiscard]] bool hasNativePath() const;
+    [[nodiscard]] std::string title() const;  // "hut", or "Untitled"
+    [[nodiscard]] bool unsaved() const { return !history_.isSaved(); }
+    [[nodiscard]] bool profileUnsaved() const { return savedProfile_ != workspace_.profile; }
+    // What was odd about the file last opened.
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+  private:
+    // Brings derived data up to date with what `changed` says.
+    [[nodiscard]] Status follow(const Changed& changed);
+    [[nodiscard]] Status followVoxels(const Changed::Voxels& changed);
+    void growOrShrinkBounds(const Changed::Voxels& changed);
+    [[nodiscard]] Status rebuild();
+    [[nodiscard]] Status adopt(Document document);
+    void chooseActiveNode();
+
+    Workspace workspace_;
+    History history_;
+    LiveOctree octree_;
+    IBox bounds_;
+    std::uint64_t revision_ = 1;
+    std::uint64_t modelRevision_ = 1;
+    std::uint64_t lastMergeKey_ = 0;
+
+    int frame_ = 0;
+    int frames_ = 1;
+    int activeNode_ = -1;
+    std::optional<EntitySampler> sampler_;
+    // Where each model lies in any frame, each place once: what bounds grow by.
+    std::vector<std::vector<Placement>> placesOfModel_;
+
+    std::optional<std::filesystem::path> path_;
+    std::optional<std::filesystem::path> profilePath_;
+    GameProfile savedProfile_;
+    std::vector<std::string> warnings_;
+};
+
+}  // namespace voxprite::editor
