@@ -5,39 +5,45 @@
 #include <bit>
 #include <cmath>
 #include <cstdlib>
+#include <glm/geometric.hpp>
+#include <utility>
 
 // How the walk works
 //
-// The line is brought into tree space and mirrored so that it runs upward on every axis. From then
-// on its state is two things: the cell it is in, and the axis of the crossing that brought it
-// there.
+// The line is brought into tree space and turned so that it runs upward on every axis (see flip).
+// On axis a it then crosses face k at the time (k 2^P - O_a) / D_a. Times become integers on their
+// common denominator D_x D_y D_z, and the axis, which decides between equal times, becomes their
+// last two bits:
 //
-//   1. Descend the octree along the cell's bits. A solid leaf is the hit.
-//   2. Otherwise an empty node holds the cell. Of its three upper faces (cut to the model's box)
-//   the
-//      one crossed first is the way out; that is a comparison of products, and equal times go to
-//      the lower axis.
-//   3. Every other axis has made some crossings before that one: one floor division counts them.
-//   4. The new cell's highest changed bit tells which ancestor holds both cells; go on from there.
+//     key_a(k) = 4 W_a (k 2^P - O_a) + a,    W_a = the product of the other two components of D.
 //
-// 64 bits are enough. A model's edge takes 16 bits, so a sprite's faces and starts (P <= 10) take
-// 28 with the buffer's corners, their products with D (13 bits) 41, and the sum of two of them 42.
-// A perspective ray (P = 16, D of 24 bits) starts beside its box: 33 + 24 + 1 = 58. A foreign
-// lattice that pixelBounds accepts (C, U, V within 2^28, pixels within 2^24, D of 16 bits) starts
-// within 2^42: 42 + 16 + 1 = 59.
+// So the order of all crossings that core/trace/lattice.h asks for is the order of plain integers,
+// the walk's whole state is the key of the last crossing, and a cell's lower faces are those with
+// keys up to it. Finding the cell, skipping an empty node and leaving the box take no division and
+// no rule for ties:
+//
+//   1. Descend the octree: the cell is in the upper half of a node where the key of the plane
+//      through its middle is no more than the last crossing's. A solid leaf is the hit.
+//   2. An empty node is left by the least key of its three upper faces, unless that comes after the
+//      line has left the box.
+//   3. The highest bit that this changes in the coordinate tells which ancestor holds both nodes;
+//   go
+//      on from there (Laine & Karras 2010).
+//
+// 64 bits are enough: a key needs two bits more than the distance of a face from the ray's start
+// and twice the direction's bits. Distances on a lattice that pixelBounds accepts stay below 2^31
+// and D has 13 bits: 31 + 26 + 2 = 59. Perspective rays choose their bits to fit.
 
 namespace voxprite {
 namespace {
 
 using Axes = std::array<std::int64_t, 3>;
 
-constexpr int kPerspectivePositionBits = 16;
-constexpr int kPerspectiveDirectionBits = 24;
-
-// Rounds down; the denominator is positive.
-std::int64_t floorDiv(std::int64_t numerator, std::int64_t denominator) {
-    return numerator / denominator - (numerator % denominator < 0);
-}
+// Later than every crossing there is.
+constexpr std::int64_t kNever = std::int64_t{1} << 62;
+// Bits of edge, position and twice the direction together; a sign, the key's two bits and one for
+// starts outside the box complete the 64.
+constexpr int kPerspectiveBits = 59;
 
 // The part of the model's box that lies inside the root cube, in voxel coordinates: nothing else
 // can be solid. Empty when there is nothing to hit.
@@ -47,132 +53,101 @@ IBox castableBox(const OctreeView& octree) {
     return IBox{glm::ivec3(0), octree.size}.intersected(root);
 }
 
-// A line in tree space, mirrored on the axes where it ran downward, and the castable box likewise.
 struct Line {
-    Axes origin{};     // lattice units
-    Axes direction{};  // >= 0
-    Axes boxMin{};     // cells
-    Axes boxMax{};
-    int positionBits = 0;
-    unsigned mirrored = 0;  // bit a: axis a, which is also the octants' bit
+    Axes faceZero{};  // key_a(0)
+    Axes perCell{};   // key_a(k + 1) - key_a(k)
+    // Tree coordinate = walk coordinate ^ flip. Where the line runs downward all bits flip, which
+    // mirrors the root cube. Where it does not move at all the flip is its cell: it stays at 0 and
+    // crosses nothing, ever.
+    std::array<std::uint32_t, 3> flip{};
+    // The keys by which the line enters and leaves the castable box.
+    std::int64_t enter = kNever;
+    std::int64_t leave = kNever;
 };
 
-// Mirroring maps cell c to 2^maxDepth - 1 - c, that is, it flips the octants' bits.
-Line lineInTree(const OctreeView& octree, const LatticeRay& ray) {
+Line lineInTree(const OctreeView& octree, const IBox& box, const LatticeRay& ray) {
     Line line;
-    line.positionBits = ray.positionBits;
+    line.enter = -kNever;
     const std::int64_t rootEdge = std::int64_t{1} << octree.maxDepth;
-    const IBox box = castableBox(octree);
     for (int a = 0; a < 3; ++a) {
-        const std::int64_t offset = octree.treeFromVoxel[a];
-        line.origin[a] = ray.origin[a] + (offset << ray.positionBits);
-        line.direction[a] = ray.direction[a];
-        line.boxMin[a] = box.min[a] + offset;
-        line.boxMax[a] = box.max[a] + offset;
-        if (ray.direction[a] < 0) {
-            line.mirrored |= 1u << a;
-            line.origin[a] = (rootEdge << ray.positionBits) - line.origin[a];
-            line.direction[a] = -line.direction[a];
-            const std::int64_t boxMin = line.boxMin[a];
-            line.boxMin[a] = rootEdge - line.boxMax[a];
-            line.boxMax[a] = rootEdge - boxMin;
-        } else if (ray.direction[a] == 0) {
-            // Off the faces, in the same cell: no formula below needs a special case.
-            line.origin[a] |= 1;
+        const std::int64_t direction = ray.direction[a];
+        std::int64_t origin =
+            ray.origin[a] + (std::int64_t{octree.treeFromVoxel[a]} << ray.positionBits);
+        std::int64_t boxMin = box.min[a] + octree.treeFromVoxel[a];
+        std::int64_t boxMax = box.max[a] + octree.treeFromVoxel[a];
+        if (direction == 0) {
+            const std::int64_t cell = origin >> ray.positionBits;
+            line.flip[a] = static_cast<std::uint32_t>(cell);
+            line.faceZero[a] = kNever;
+            if (cell < boxMin || cell >= boxMax) line.enter = kNever;
+            continue;
         }
+        if (direction < 0) {
+            line.flip[a] = static_cast<std::uint32_t>(rootEdge - 1);
+            origin = (rootEdge << ray.positionBits) - origin;
+            boxMin = rootEdge - std::exchange(boxMax, rootEdge - boxMin);
+        }
+        std::int64_t weight = 4;
+        for (int b = 0; b < 3; ++b)
+            if (b != a && ray.direction[b] != 0) weight *= std::abs(ray.direction[b]);
+        line.faceZero[a] = a - weight * origin;
+        line.perCell[a] = weight << ray.positionBits;
+        line.enter = std::max(line.enter, line.faceZero[a] + boxMin * line.perCell[a]);
+        line.leave = std::min(line.leave, line.faceZero[a] + boxMax * line.perCell[a]);
     }
     return line;
 }
 
-// The crossing of the face at cell coordinate `face`, as a distance along its axis; its time is
-// distance / direction[axis].
-std::int64_t distanceTo(const Line& line, int axis, std::int64_t face) {
-    return (face << line.positionBits) - line.origin[axis];
+// The child of an internal node, a brick or a uniform leaf, whose children are like itself.
+std::uint32_t childOf(const OctreeView& octree, std::uint32_t word, unsigned octant) {
+    if (node::isInternal(word))
+        return node::hasChild(word, octant) ? octree.nodes[node::childIndex(word, octant)] : 0;
+    if (node::isBrick(word))
+        return payloadMaterial(octree.payloads[node::payloadIndex(word)], octant);
+    return word;
 }
 
-// Which of three faces, one an axis, is crossed first or last in the order of (time, axis). An axis
-// without direction has a positive distance to a face above and a negative one to a face below the
-// line, so its time counts as +-infinity and another axis wins.
-int firstCrossed(const Line& line, const Axes& distance) {
-    const Axes& d = line.direction;
-    int axis = 0;
-    if (distance[1] * d[0] < distance[0] * d[1]) axis = 1;
-    if (distance[2] * d[axis] < distance[axis] * d[2]) axis = 2;
-    return axis;
-}
-
-int lastCrossed(const Line& line, const Axes& distance) {
-    const Axes& d = line.direction;
-    int axis = 0;
-    if (distance[1] * d[0] >= distance[0] * d[1]) axis = 1;
-    if (distance[2] * d[axis] >= distance[axis] * d[2]) axis = 2;
-    return axis;
-}
-
-// The cell on axis `other` right after the crossing on `axis`: the count of other's faces crossed
-// until then, those at the very same time included if other comes before axis.
-std::int64_t cellAfter(const Line& line, int axis, std::int64_t distance, int other) {
-    const std::int64_t scaledPosition =
-        line.origin[other] * line.direction[axis] + distance * line.direction[other];
-    return floorDiv(scaledPosition - (other > axis), line.direction[axis] << line.positionBits);
-}
-
-// Walks on from a cell inside the box; `axis` is that of the crossing into it.
-LatticeHit walk(const OctreeView& octree, const Line& line, Axes cell, int axis) {
-    std::array<std::uint32_t, kMaxOctreeDepth + 1>
-        path;  // the node of edge 2^level around the cell
+// The first solid voxel from the cell onward that lies behind the crossing `key`.
+LatticeHit walk(const OctreeView& octree, const Line& line, std::int64_t key) {
+    std::array<std::uint32_t, kMaxOctreeDepth + 1> path;  // the node of edge 2^level, by level
     int level = octree.maxDepth;
     path[level] = octree.nodes[0];
-    for (;;) {
+    std::array<std::uint32_t, 3> corner{};  // of the node at `level`, in walk coordinates
+    while (key < line.leave) {
         std::uint32_t word = path[level];
-        while (node::isInternal(word) || node::isBrick(word)) {
+        Axes cornerKey;
+        for (int a = 0; a < 3; ++a) cornerKey[a] = line.faceZero[a] + corner[a] * line.perCell[a];
+        while (!node::isEmpty(word) && level > 0) {
             --level;
-            const unsigned octant =
-                line.mirrored ^
-                static_cast<unsigned>(((cell[2] >> level & 1) << 2) |
-                                      ((cell[1] >> level & 1) << 1) | (cell[0] >> level & 1));
-            if (node::isBrick(word)) {
-                word = payloadMaterial(octree.payloads[node::payloadIndex(word)], octant);
-            } else if (node::hasChild(word, octant)) {
-                word = octree.nodes[node::childIndex(word, octant)];
-            } else {
-                word = 0;
+            unsigned octant = 0;
+            for (int a = 0; a < 3; ++a) {
+                const std::int64_t middleKey = cornerKey[a] + (line.perCell[a] << level);
+                const bool upper = middleKey <= key;
+                cornerKey[a] = upper ? middleKey : cornerKey[a];
+                corner[a] |= std::uint32_t{upper} << level;
+                octant |= ((corner[a] ^ line.flip[a]) >> level & 1u) << a;
             }
+            word = childOf(octree, word, octant);
             path[level] = word;
         }
         if (!node::isEmpty(word)) {
             LatticeHit hit;
             hit.material = static_cast<std::uint8_t>(word);
-            hit.faceAxis = static_cast<std::uint8_t>(axis);
-            for (int a = 0; a < 3; ++a) {
-                const std::int64_t treeCell =
-                    (line.mirrored >> a & 1) != 0
-                        ? (std::int64_t{1} << octree.maxDepth) - 1 - cell[a]
-                        : cell[a];
-                hit.voxel[a] = static_cast<int>(treeCell) - octree.treeFromVoxel[a];
-            }
+            hit.faceAxis = static_cast<std::uint8_t>(key & 3);
+            for (int a = 0; a < 3; ++a)
+                hit.voxel[a] = static_cast<int>(corner[a] ^ line.flip[a]) - octree.treeFromVoxel[a];
             return hit;
         }
-
-        Axes face;
-        Axes distance;
-        for (int a = 0; a < 3; ++a) {
-            face[a] = std::min(((cell[a] >> level) + 1) << level, line.boxMax[a]);
-            distance[a] = distanceTo(line, a, face[a]);
-        }
-        axis = firstCrossed(line, distance);
-        if (face[axis] == line.boxMax[axis]) return {};
-
-        std::int64_t changed = 0;
-        for (int a = 0; a < 3; ++a) {
-            if (a != axis && level == 0) continue;  // a voxel is left on one axis alone
-            const std::int64_t next =
-                a == axis ? face[a] : cellAfter(line, axis, distance[axis], a);
-            changed |= cell[a] ^ next;
-            cell[a] = next;
-        }
-        level = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(changed)));
+        key = kNever;
+        for (int a = 0; a < 3; ++a) key = std::min(key, cornerKey[a] + (line.perCell[a] << level));
+        if (key >= line.leave) return {};
+        const auto axis = static_cast<std::size_t>(key & 3);
+        const std::uint32_t face = corner[axis] + (1u << level);
+        level = static_cast<int>(std::bit_width(corner[axis] ^ face));
+        corner[axis] = face;
+        for (std::uint32_t& c : corner) c = c >> level << level;
     }
+    return {};
 }
 
 }  // namespace
@@ -190,23 +165,10 @@ LatticeRay rayOf(const LatticeView& lattice, glm::ivec2 pixel) {
 }
 
 LatticeHit castLattice(const OctreeView& octree, const LatticeRay& ray) {
-    if (castableBox(octree).empty() || ray.direction == glm::ivec3(0)) return {};
-    const Line line = lineInTree(octree, ray);
-
-    // The line enters the box with the last of the crossings of its three lower faces.
-    Axes distance;
-    for (int a = 0; a < 3; ++a) {
-        distance[a] = distanceTo(line, a, line.boxMin[a]);
-        if (line.direction[a] == 0 && (distance[a] > 0 || distanceTo(line, a, line.boxMax[a]) <= 0))
-            return {};
-    }
-    const int axis = lastCrossed(line, distance);
-    Axes cell;
-    for (int a = 0; a < 3; ++a) {
-        cell[a] = a == axis ? line.boxMin[a] : cellAfter(line, axis, distance[axis], a);
-        if (cell[a] >= line.boxMax[a]) return {};
-    }
-    return walk(octree, line, cell, axis);
+    const IBox box = castableBox(octree);
+    if (box.empty()) return {};
+    const Line line = lineInTree(octree, box, ray);
+    return walk(octree, line, line.enter);
 }
 
 PerspectiveHit castPerspective(const OctreeView& octree, glm::dvec3 eye, glm::dvec3 direction) {
@@ -234,35 +196,32 @@ PerspectiveHit castPerspective(const OctreeView& octree, glm::dvec3 eye, glm::dv
     }
     const glm::dvec3 start = eye + scaled * enter;
 
+    const glm::ivec3 edges = box.size();
+    const int edgeBits = static_cast<int>(
+        std::bit_width(static_cast<unsigned>(std::max({edges.x, edges.y, edges.z}))));
     LatticeRay ray;
-    ray.positionBits = kPerspectivePositionBits;
+    ray.positionBits = std::max(8, 21 - edgeBits);
+    const int directionBits = (kPerspectiveBits - edgeBits - ray.positionBits) / 2;
     for (int a = 0; a < 3; ++a) {
         // Rounding moves the line by far less than a voxel: it would miss as well.
         if (!(start[a] >= box.min[a] - 1.0 && start[a] <= box.max[a] + 1.0)) return {};
-        ray.origin[a] = std::llround(std::ldexp(start[a], kPerspectivePositionBits));
-        ray.direction[a] =
-            static_cast<int>(std::lround(std::ldexp(scaled[a], kPerspectiveDirectionBits)));
+        ray.origin[a] = std::llround(std::ldexp(start[a], ray.positionBits));
+        ray.direction[a] = static_cast<int>(std::lround(std::ldexp(scaled[a], directionBits)));
     }
 
+    const Line line = lineInTree(octree, box, ray);
+    // From inside, every crossing up to the eye (time 0) has been made; axis 3 stands for the eye.
+    constexpr std::int64_t kAtEye = 3;
     PerspectiveHit result;
-    if (inside) {
-        // Every face up to the eye counts as crossed.
-        const Line line = lineInTree(octree, ray);
-        Axes cell;
-        for (int a = 0; a < 3; ++a) {
-            cell[a] = line.origin[a] >> line.positionBits;
-            if (cell[a] < line.boxMin[a] || cell[a] >= line.boxMax[a]) return {};
-        }
-        result.hit = walk(octree, line, cell, largest);
-    } else {
-        result.hit = castLattice(octree, ray);
-    }
+    result.hit = walk(octree, line, inside ? std::max(line.enter, kAtEye) : line.enter);
     if (result.hit.material == 0) return result;
+    if (result.hit.faceAxis == kAtEye) {
+        result.hit.faceAxis = static_cast<std::uint8_t>(largest);
+        return result;
+    }
     const int axis = result.hit.faceAxis;
     const int face = result.hit.voxel[axis] + (direction[axis] < 0.0 ? 1 : 0);
-    const double steps = (face - eye[axis]) / scaled[axis];
-    // An eye inside the hit voxel has its face behind it.
-    result.t = std::max(steps, 0.0) * std::sqrt(glm::dot(scaled, scaled));
+    result.t = std::max(0.0, (face - eye[axis]) / scaled[axis]) * glm::length(scaled);
     return result;
 }
 
