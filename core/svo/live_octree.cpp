@@ -15,6 +15,10 @@ constexpr std::size_t kMaxNodesAnEdit = 8 * (kMaxOctreeDepth + 1);
 
 const IBox kReachable{glm::ivec3(-kMaxCoordinate), glm::ivec3(kMaxCoordinate + 1)};
 
+Failure failTooManyNodes(std::uint32_t limit) {
+    return fail("the model needs more octree nodes than the limit of " + std::to_string(limit));
+}
+
 // Grows `bounds` by what is solid under a node.
 void addBounds(const OctreeView& tree, std::uint32_t word, glm::ivec3 min, int edge, IBox& bounds) {
     const IBox cube{min, min + edge};
@@ -45,16 +49,23 @@ IBox LiveOctree::rootBox() const {
     return {origin_, origin_ + (1 << maxDepth_)};
 }
 
-void LiveOctree::adopt(Octree octree) {
-    pool_.replace(std::move(octree.nodes), std::move(octree.payloads));
-    maxDepth_ = octree.maxDepth;
-    origin_ = octree.origin;
+Status LiveOctree::adopt(Result<Octree> octree) {
+    if (!octree) return tl::unexpected(octree.error());
+    if (octree->nodes.size() > maxNodes_) return failTooManyNodes(maxNodes_);
+    pool_.replace(std::move(octree->nodes), std::move(octree->payloads));
+    maxDepth_ = octree->maxDepth;
+    origin_ = octree->origin;
+    return {};
+}
+
+void LiveOctree::clear() {
+    pool_.replace({0}, {});
+    maxDepth_ = 1;
+    origin_ = glm::ivec3(0);
 }
 
 Status LiveOctree::rebuild(const VoxelGrid& voxels) {
-    Result<Octree> octree = bake(voxels);
-    if (!octree) return tl::unexpected(octree.error());
-    adopt(std::move(*octree));
+    if (auto ok = adopt(bake(voxels)); !ok) return ok;
     solidCount_ = voxels.solidCount();
     return {};
 }
@@ -91,24 +102,28 @@ Status LiveOctree::apply(std::span<const Edit> edits) {
     }
     if (auto ok = reach(filled); !ok) return ok;
 
-    // Close to the limit a batch may fail half way: keep the way back. Holes are given up first.
+    // Close to the limit a batch may fail half way: keep the way back.
     std::optional<LiveOctree> before;
-    if (pool_.nodes().size() + kMaxNodesAnEdit * edits.size() > kMaxOctreeNodes) before = *this;
+    if (pool_.nodes().size() + kMaxNodesAnEdit * edits.size() > maxNodes_) before = *this;
     for (const Edit& edit : edits) {
-        if (pool_.nodes().size() + kMaxNodesAnEdit > kMaxOctreeNodes) {
-            Result<Octree> packed =
-                relayout(wholeTree(), glm::ivec3(0), glm::ivec3(1 << maxDepth_), origin_);
-            if (!packed || packed->nodes.size() + kMaxNodesAnEdit > kMaxOctreeNodes) {
-                *this = std::move(*before);
-                dropNeedlessLevels();
-                return fail("the model needs more than 8,388,608 octree nodes");
-            }
-            adopt(std::move(*packed));
+        if (!rootBox().contains(edit.voxel)) continue;
+        if (auto ok = makeRoom(); !ok) {
+            *this = std::move(*before);
+            dropNeedlessLevels();
+            return ok;
         }
-        if (rootBox().contains(edit.voxel)) set(edit.voxel - origin_, edit.material);
+        set(edit.voxel - origin_, edit.material);
     }
     dropNeedlessLevels();
     return {};
+}
+
+Status LiveOctree::makeRoom() {
+    if (pool_.nodes().size() + kMaxNodesAnEdit <= maxNodes_) return {};
+    const glm::ivec3 size(1 << maxDepth_);
+    if (auto ok = adopt(relayout(wholeTree(), glm::ivec3(0), size, origin_)); !ok) return ok;
+    if (pool_.nodes().size() + kMaxNodesAnEdit <= maxNodes_) return {};
+    return failTooManyNodes(maxNodes_);
 }
 
 Status LiveOctree::reach(const IBox& box) {
@@ -122,10 +137,7 @@ Status LiveOctree::reach(const IBox& box) {
     while (root.united(box) != root) {
         if (maxDepth_ + levels == kMaxOctreeDepth) {
             const IBox all = solidBounds().united(box);
-            Result<Octree> moved = relayout(wholeTree(), all.min - origin_, all.size(), all.min);
-            if (!moved) return tl::unexpected(moved.error());
-            adopt(std::move(*moved));
-            return {};
+            return adopt(relayout(wholeTree(), all.min - origin_, all.size(), all.min));
         }
         const int edge = root.size().x;
         const glm::ivec3 below(box.min.x < root.min.x, box.min.y < root.min.y,
@@ -159,7 +171,7 @@ void LiveOctree::dropNeedlessLevels() {
         origin_ += octantCorner(octant) * (1 << maxDepth_);
     }
     const bool untouched = pool_.nodes().size() == 1 && pool_.payloads().empty();
-    if (node::isEmpty(root) && !untouched) adopt(Octree{});
+    if (node::isEmpty(root) && !untouched) clear();
 }
 
 void LiveOctree::set(glm::ivec3 tree, std::uint8_t material) {

@@ -24,11 +24,15 @@ class LiveOctree {
         std::uint8_t material = 0;
     };
 
-    // Starts over from voxels. Fails as bake() does; then the octree is left as it was.
+    // With a limit on the length of the node array, holes included.
+    explicit LiveOctree(std::uint32_t maxNodes = kMaxOctreeNodes) : maxNodes_(maxNodes) {}
+
+    // Starts over from voxels. Fails as bake() does, and beyond the limit; then the octree is left
+    // as it was.
     [[nodiscard]] Status rebuild(const VoxelGrid& voxels);
     // Sets single voxels, one after another (the last of several for one voxel wins). Fails, and
-    // changes nothing, when the edits would stretch the octree beyond 65,536 voxels an edge or
-    // kMaxOctreeNodes nodes, or when a voxel to be filled lies beyond kMaxCoordinate.
+    // changes nothing, when the edits would stretch the octree beyond 65,536 voxels an edge or to
+    // within a path of the limit on nodes, or when a voxel to be filled lies beyond kMaxCoordinate.
     [[nodiscard]] Status apply(std::span<const Edit> edits);
 
     [[nodiscard]] std::uint8_t at(glm::ivec3 entityVoxel) const;
@@ -50,7 +54,11 @@ class LiveOctree {
   private:
     [[nodiscard]] OctreeView wholeTree() const;
     [[nodiscard]] IBox rootBox() const;
-    void adopt(Octree octree);
+    // Takes the arrays over, if the limit allows.
+    [[nodiscard]] Status adopt(Result<Octree> octree);
+    void clear();
+    // Closes the holes if the array has no room left for one more edit.
+    [[nodiscard]] Status makeRoom();
 
     // Makes the root hold the box, all or nothing.
     [[nodiscard]] Status reach(const IBox& box);
@@ -64,6 +72,7 @@ class LiveOctree {
     // Carries an emptied or uniform node upward as far as it changes its parents.
     void collapse(std::span<const std::uint32_t> path, glm::ivec3 tree);
 
+    std::uint32_t maxNodes_;
     NodePool pool_;
     int maxDepth_ = 1;
     glm::ivec3 origin_{0};  // entity space of tree (0,0,0)

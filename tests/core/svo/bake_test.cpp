@@ -190,10 +190,10 @@ TEST(Bake, HowVoxelsAreStoredDoesNotCount) {
 
 TEST(Bake, HugeSolidsStaySmall) {
     VoxelGrid voxels;
-    voxels.fill({{-1000, -1000, -1000}, {3096, 3096, 3096}}, 3);
+    voxels.fill({{-100, -100, -100}, {924, 924, 924}}, 3);
     const Octree octree = baked(voxels);
     EXPECT_EQ(octree.nodes, Words{3});
-    EXPECT_EQ(octree.maxDepth, 12);
+    EXPECT_EQ(octree.maxDepth, 10);
 }
 
 TEST(Bake, TheLongestEdgeIs65536) {
@@ -213,11 +213,11 @@ TEST(Bake, TheLongestEdgeIs65536) {
 }
 
 TEST(Bake, TooManyNodesIsAnError) {
-    // Each voxel alone in its 8-cube costs at least two nodes of its own: 320 * 320 * 48 > 2^22.
+    // One voxel in every brick of a 400-cube: 200^3 bricks, and a seventh more above them.
     VoxelGrid voxels;
-    for (int x = 0; x < 320; ++x) {
-        for (int y = 0; y < 320; ++y) {
-            for (int z = 0; z < 48; ++z) voxels.set({x * 8, y * 8, z * 8}, 1);
+    for (int x = 0; x < 400; x += 2) {
+        for (int y = 0; y < 400; y += 2) {
+            for (int z = 0; z < 400; z += 2) voxels.set({x, y, z}, 1);
         }
     }
     const Result<Octree> octree = bake(voxels);

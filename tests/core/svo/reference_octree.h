@@ -36,7 +36,8 @@ inline std::uint8_t decodeVoxel(const std::vector<std::uint32_t>& nodes,
 // A pointer tree, collapsed bottom-up, written out with a queue.
 class ReferenceBaker {
   public:
-    ReferenceBaker(const VoxelGrid& voxels, const IBox& bounds) : voxels_(voxels), bounds_(bounds) {}
+    ReferenceBaker(const VoxelGrid& voxels, const IBox& bounds)
+        : voxels_(voxels), bounds_(bounds) {}
 
     Octree bake() {
         Octree octree;
