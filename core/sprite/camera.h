@@ -40,6 +40,9 @@ struct Camera {
         glm::dvec3 origin, direction;
     };
     [[nodiscard]] Ray rayThrough(glm::dvec2 screenPx) const;
+    // The same camera-relative (the eye is the origin), so that nothing is lost far from the
+    // world's origin; the direction has length 1 along forward.
+    [[nodiscard]] Ray rayFromEye(glm::dvec2 screenPx) const;
     // Screen position (top left origin) of a world point; depth along forward. depth <= 0 is
     // behind.
     struct Projected {
@@ -47,9 +50,14 @@ struct Camera {
         double depthMetres;
     };
     [[nodiscard]] Projected project(glm::dvec3 worldMetres) const;
+    [[nodiscard]] Projected projectFromEye(glm::dvec3 fromEyeMetres) const;
     // Camera-relative: world translated so that the eye is the origin. Reversed Z, zero to one,
-    // infinite far plane (perspective).
+    // infinite far plane (perspective) or the one below (orthographic).
     [[nodiscard]] glm::dmat4 clipFromCameraRelative() const;
+    // Far enough for any scene of that height, near enough for 32-bit depth.
+    [[nodiscard]] double orthographicFarMetres() const;
+    // What the depth buffer holds for a depth along forward: 1 at the near plane, 0 at the far.
+    [[nodiscard]] float reversedDepth(double depthMetres) const;
 };
 
 [[nodiscard]] Status validate(const Camera& camera);

@@ -39,8 +39,12 @@ struct LitPalette {
     std::array<std::uint8_t, 3> light8{255, 255, 255};
     Outline outline;
 
+    bool operator==(const LitPalette&) const = default;
     [[nodiscard]] Rgba8 shade(std::uint8_t material, std::uint8_t faceAxis) const;
 };
+
+[[nodiscard]] LitPalette litPalette(const Palette& palette, std::array<std::uint8_t, 3> light8,
+                                    const Outline& outline);
 
 // light8 of the faces that rays along `direction` (voxel space) can see; `towardLight` in voxel
 // space too, any length: round(255 * (ambient + (1 - ambient) * max(0, n . l))).

@@ -3,51 +3,33 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <vector>
 
-#include "core/model/document.h"
 #include "core/model/game_profile.h"
 #include "core/sprite/camera.h"
+#include "core/sprite/placed_entity.h"
 #include "core/sprite/sprite_buffer.h"
 #include "core/trace/lattice.h"
 
 namespace voxprite {
 
-// An entity as it stands in the world. `modelSize` and `anchor` in voxels from the minimum corner
-// of the entity's bounds.
-struct PlacedEntity {
-    glm::ivec3 modelSize{0};
-    glm::dvec3 anchor{0.0};
-    glm::dmat3 worldFromVoxelAxes{1.0};  // rotation and axis swizzle; orthonormal, no scale
-    double scale = 1.0;
-    glm::dvec3 anchorMetres{0.0};  // where the anchor stands
-    double voxelSizeMetres = 0.1;
-
-    [[nodiscard]] double metresPerVoxel() const { return voxelSizeMetres * scale; }
-    [[nodiscard]] glm::dvec3 worldFromVoxel(glm::dvec3 voxel) const;
-    [[nodiscard]] glm::dvec3 centreMetres() const;
-    [[nodiscard]] double radiusMetres() const;  // of the sphere around the model's box
-};
-
-[[nodiscard]] PlacedEntity placeEntity(const Entity& entity, const IBox& bounds,
-                                       const GameProfile& profile);
-// The rotation of Entity (yaw, pitch, roll) in voxel space, exact at multiples of 90.
-[[nodiscard]] glm::dmat3 entityRotation(const Entity& entity);
-
 // What a viewer remembers of one entity from frame to frame; nothing of it enters the pixels except
 // through the snapped view and the sigma in force.
 struct ViewHistory {
-    std::optional<glm::dmat3> basis;  // last good right, up, forward in voxel space
-    std::optional<int> halvings;      // of sigma, for minification
+    std::optional<glm::dmat3> basis;         // last good right, up, forward in voxel space
+    std::optional<glm::ivec3> snappedSteps;  // of yaw, pitch, roll, for view snapping
+    std::optional<int> halvings;             // of sigma, for minification
 };
 
 // One sprite of one frame.
 struct SpriteView {
     LatticeView lattice;
-    OrthoView ortho;            // what the lattice was quantised from
+    OrthoView ortho;            // what the lattice was quantised from (voxel space)
     double sigmaInForce = 4.0;  // without the entity's scale
     std::array<std::uint8_t, 3> light8{255, 255, 255};
     // The sprite plane: through the model centre, spanned by right and up (world axes, unit).
@@ -63,8 +45,17 @@ struct SpriteView {
     // pixelFromCentre; kept for markers).
     glm::dvec2 registrationShiftPx{0.0};
     double planeDepthMetres = 1.0;  // of the centre along the camera's forward
-    double depthMetres = 1.0;       // what the sprite writes (depth rules centre, groundSafe)
-    double screenPxPerPx = 1.0;     // screen pixels a virtual pixel at the centre
+    // What the sprite writes. Depth rule perPixel: the nearest that any pixel may write.
+    double depthMetres = 1.0;
+    // Depth rule perPixel: a point p of the model (voxels) lies at the depth
+    // planeDepthMetres + dot(depthPerVoxelMetres, p - modelSize / 2).
+    glm::dvec3 depthPerVoxelMetres{0.0};
+    double screenPxPerPx = 1.0;  // screen pixels a virtual pixel at the centre
+    // The proxy box, camera-relative: centreFromEyeMetres +- boxHalfMetres along the columns of
+    // boxAxes. With ProxyShape::box the sprite shows only where an eye ray meets it.
+    ProxyShape proxy = ProxyShape::quad;
+    glm::dmat3 boxAxes{1.0};
+    glm::dvec3 boxHalfMetres{0.0};
 };
 
 enum class Unseen : std::uint8_t { emptyModel, cameraInside, behindCamera };
@@ -78,13 +69,30 @@ struct SpriteViewResult {
                                                   const GameProfile& profile,
                                                   ViewHistory* history = nullptr);
 
+// The way from the screen to virtual pixels: for p = M * (screenPx.x, screenPx.y, 1) the screen
+// position lies in pixel floor(p.xy / p.z), provided that p.z > 0 (else the eye ray runs away from
+// the sprite plane). The eye ray is met with the sprite plane, whatever its tilt.
+[[nodiscard]] glm::dmat3 pixelFromScreen(const SpriteView& view, const Camera& camera);
+
 // The virtual pixel (i, j) under a screen position, if the eye ray meets the sprite plane ahead.
 [[nodiscard]] std::optional<glm::ivec2> pixelUnder(const SpriteView& view, const Camera& camera,
                                                    glm::dvec2 screenPx);
 
-// The proxy box: the model's bounds plus a margin of one virtual pixel all round (the artist's
-// handle and cull volume). Eight corners in world metres, octant order.
-[[nodiscard]] std::array<glm::dvec3, 8> proxyCorners(const PlacedEntity& entity,
-                                                     double sigmaInForce);
+// The corners of the pixels first ... first + size in the sprite plane, camera-relative metres:
+// bottom left, bottom right, top left, top right. For view.lattice this is the quad to draw.
+[[nodiscard]] std::array<glm::dvec3, 4> quadFromEye(const SpriteView& view, glm::ivec2 first,
+                                                    glm::ivec2 size);
+
+// The part of view.lattice that can show on the screen, and a pixel more all round: what a scene
+// needs to cast. Size (0, 0) when nothing can.
+[[nodiscard]] LatticeView visibleLattice(const SpriteView& view, const Camera& camera);
+
+// Does the eye ray (camera-relative) meet the proxy box ahead of the eye?
+[[nodiscard]] bool meetsProxyBox(const SpriteView& view, const Camera::Ray& rayFromEye);
+
+// For the depth rule perPixel: the depth in metres of every pixel of `buffer`, that of its voxel's
+// face, an outline pixel that of its nearest opaque neighbour; infinity where empty.
+[[nodiscard]] std::vector<float> pixelDepths(const SpriteView& view, const OctreeView& octree,
+                                             const SpriteBuffer& buffer, int threads = 0);
 
 }  // namespace voxprite

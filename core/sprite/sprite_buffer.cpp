@@ -1,0 +1,132 @@
+#include "core/sprite/sprite_buffer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/base/bytes.h"
+#include "core/base/hash.h"
+#include "core/base/parallel.h"
+#include "core/trace/lattice_caster.h"
+
+namespace voxprite {
+
+namespace {
+
+std::size_t area(glm::ivec2 size) {
+    return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+}
+
+std::uint32_t idOf(glm::ivec3 voxel, glm::ivec3 size) {
+    const auto x = static_cast<std::uint32_t>(voxel.x);
+    const auto y = static_cast<std::uint32_t>(voxel.y);
+    const auto z = static_cast<std::uint32_t>(voxel.z);
+    const auto width = static_cast<std::uint32_t>(size.x);
+    return kIdFirstVoxel + x + width * (y + static_cast<std::uint32_t>(size.y) * z);
+}
+
+std::uint64_t countWhere(const std::vector<std::uint32_t>& ids, auto matches) {
+    return static_cast<std::uint64_t>(std::count_if(ids.begin(), ids.end(), matches));
+}
+
+}  // namespace
+
+Rgba8 LitPalette::shade(std::uint8_t material, std::uint8_t faceAxis) const {
+    const Rgba8 colour = colours[material];
+    const unsigned light = light8[faceAxis];
+    const auto lit = [light](unsigned channel) {
+        return static_cast<std::uint8_t>((channel * light + 127u) / 255u);
+    };
+    return {lit(colour.x), lit(colour.y), lit(colour.z), 255};
+}
+
+LitPalette litPalette(const Palette& palette, std::array<std::uint8_t, 3> light8,
+                      const Outline& outline) {
+    return {palette.colours, light8, outline};
+}
+
+std::array<std::uint8_t, 3> faceLight(glm::ivec3 direction, glm::dvec3 towardLight,
+                                      double ambient) {
+    // Scaled first: the square of a huge or tiny length has no double.
+    const double largest =
+        std::max({std::abs(towardLight.x), std::abs(towardLight.y), std::abs(towardLight.z)});
+    const glm::dvec3 toward =
+        largest > 0.0 ? glm::normalize(towardLight / largest) : glm::dvec3(0.0);
+    std::array<std::uint8_t, 3> light8{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const int normal = direction[axis] > 0 ? -1 : direction[axis] < 0 ? 1 : 0;
+        const double light = ambient + (1.0 - ambient) * std::max(0.0, normal * toward[axis]);
+        light8[static_cast<std::size_t>(axis)] =
+            static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(light, 0.0, 1.0)));
+    }
+    return light8;
+}
+
+void dilateOutline(SpriteBuffer& buffer, Rgba8 colour) {
+    const auto opaque = [&](int column, int row) {
+        if (column < 0 || row < 0 || column >= buffer.size.x || row >= buffer.size.y) return false;
+        const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(buffer.size.x) +
+                        static_cast<std::size_t>(column);
+        return buffer.ids[at] >= kIdFirstVoxel;
+    };
+    std::size_t at = 0;
+    for (int row = 0; row < buffer.size.y; ++row)
+        for (int column = 0; column < buffer.size.x; ++column, ++at) {
+            if (buffer.ids[at] >= kIdFirstVoxel) continue;
+            if (opaque(column - 1, row) || opaque(column + 1, row) || opaque(column, row - 1) ||
+                opaque(column, row + 1)) {
+                buffer.ids[at] = kIdOutline;
+                buffer.colours[at] = {colour.x, colour.y, colour.z, 255};
+            }
+        }
+}
+
+SpriteBuffer castSprite(const OctreeView& octree, const LatticeView& lattice, const LitPalette& lit,
+                        int threads) {
+    SpriteBuffer buffer;
+    buffer.first = lattice.first;
+    buffer.size = glm::max(lattice.size, glm::ivec2(0));
+    buffer.colours.assign(area(buffer.size), Rgba8(0));
+    buffer.ids.assign(area(buffer.size), kIdEmpty);
+    parallelFor(buffer.size.y, threads, [&](int firstRow, int lastRow) {
+        std::size_t at =
+            static_cast<std::size_t>(firstRow) * static_cast<std::size_t>(buffer.size.x);
+        for (int row = firstRow; row < lastRow; ++row)
+            for (int column = 0; column < buffer.size.x; ++column, ++at) {
+                const glm::ivec2 pixel{lattice.first.x + column,
+                                       lattice.first.y + buffer.size.y - 1 - row};
+                const LatticeHit hit = castLattice(octree, rayOf(lattice, pixel));
+                if (hit.material == 0) continue;
+                buffer.colours[at] = lit.shade(hit.material, hit.faceAxis);
+                buffer.ids[at] = idOf(hit.voxel, octree.size);
+            }
+    });
+    if (lit.outline.enabled) dilateOutline(buffer, lit.outline.colour);
+    return buffer;
+}
+
+std::string SpriteBuffer::sha256() const {
+    return sha256Hex(asBytes(colours));
+}
+
+std::string SpriteBuffer::idsSha256() const {
+    ByteWriter littleEndian;
+    for (const std::uint32_t id : ids) littleEndian.u32(id);
+    return sha256Hex(littleEndian.bytes());
+}
+
+std::uint64_t SpriteBuffer::opaqueCount() const {
+    return countWhere(ids, [](std::uint32_t id) { return id >= kIdFirstVoxel; });
+}
+
+std::uint64_t SpriteBuffer::outlineCount() const {
+    return countWhere(ids, [](std::uint32_t id) { return id == kIdOutline; });
+}
+
+Image SpriteBuffer::image() const {
+    Image image(size.x, size.y);
+    image.pixels = colours;
+    return image;
+}
+
+}  // namespace voxprite
