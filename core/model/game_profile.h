@@ -27,9 +27,9 @@ struct Outline {
 };
 
 struct Light {
-    double ambient = 0.35;  // 0 ... 1: the light of a face turned away
+    double ambient = 0.55;  // 0 ... 1: the light of a face turned away
     // Toward the light, in the Y-up world; any length but zero.
-    glm::dvec3 towardLight{0.45, 0.8, 0.4};
+    glm::dvec3 towardLight{0.35, 0.8, 0.55};
     bool operator==(const Light&) const = default;
 };
 

@@ -21,10 +21,10 @@ void walls(Brush& brush) {
     brush.box({-kHalfX, -kHalfY, 5}, {kHalfX - 1, kHalfY - 1, kEaves},
               grained(Ramp::plaster, 4, 0.2));
     const Paint beam = grained(Ramp::wood, 1, 0.4);
-    for (int x : {-kHalfX, -8, 6, kHalfX - 2})
-        brush.repaint({x, -kHalfY, 5}, {x + 1, kHalfY - 1, kEaves}, beam);
-    for (int y : {-kHalfY, -2, kHalfY - 2})
-        brush.repaint({-kHalfX, y, 5}, {kHalfX - 1, y + 1, kEaves}, beam);
+    for (int x : {-kHalfX, -8, 6, kHalfX - 2})  // posts of the front and the back
+        for (int y : {-kHalfY, kHalfY - 1}) brush.repaint({x, y, 5}, {x + 1, y, kEaves}, beam);
+    for (int y : {-kHalfY, -1, kHalfY - 2})  // posts of the sides
+        for (int x : {-kHalfX, kHalfX - 1}) brush.repaint({x, y, 5}, {x, y + 1, kEaves}, beam);
     for (int z : {5, 13, kEaves - 1})
         brush.repaint({-kHalfX, -kHalfY, z}, {kHalfX - 1, kHalfY - 1, z + 1}, beam);
     brush.erase({-kHalfX + 2, -kHalfY + 2, 5}, {kHalfX - 3, kHalfY - 3, kEaves});

@@ -26,8 +26,8 @@ void lamp(Brush& brush, int x, int y, int z, Ramp ramp, int step) {
 }
 
 void cab(Brush& brush) {
-    brush.box({-11, -30, 5}, {10, -12, 15}, grained(Ramp::red, 3, 0.08));
-    brush.box({-11, -26, 16}, {10, -12, 27}, grained(Ramp::red, 4, 0.08));
+    brush.box({-11, -30, 5}, {10, -12, 15}, plain(Ramp::red, 3));
+    brush.box({-11, -26, 16}, {10, -12, 27}, plain(Ramp::red, 4));
     brush.box({-10, -25, 28}, {9, -12, 28}, plain(Ramp::plaster, 4));
     // Glass: windscreen and doors, with a bright reflection running across.
     const Paint pane = [](glm::ivec3 v) {
@@ -49,7 +49,7 @@ void cab(Brush& brush) {
 
 void load(Brush& brush) {
     brush.box({-12, -11, 7}, {11, 30, 8}, grained(Ramp::ink, 3, 0.2));
-    brush.box({-12, -10, 9}, {11, 30, 36}, grained(Ramp::plaster, 4, 0.06));
+    brush.box({-12, -10, 9}, {11, 30, 36}, plain(Ramp::plaster, 4));
     brush.box({-12, -10, 9}, {11, 30, 11}, plain(Ramp::blue, 3));
     brush.box({-12, -10, 34}, {11, 30, 36}, plain(Ramp::blue, 3));
     for (int x : {-13, 12})  // the firm's sign: a loaf in a disc
