@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <vector>
 
 #include "core/base/image.h"
 #include "render/gl/handles.h"
@@ -16,6 +17,7 @@ class Frame {
     void resize(glm::ivec2 sizePx);  // keeps nothing; no-op when equal
     // Binds it, sets the viewport and clears colour and depth.
     void begin(Rgba8 background);
+    void bind();  // to draw more onto it
     [[nodiscard]] glm::ivec2 sizePx() const { return sizePx_; }
     // Rows bottom first, as GL has them: show it flipped.
     [[nodiscard]] std::uint32_t colourTexture() const { return colour_.id(); }

@@ -8,6 +8,7 @@
 #include "core/svo/live_octree.h"
 #include "core/svo/octree.h"
 #include "render/gl/handles.h"
+#include "render/gpu_blocks.h"
 
 namespace voxprite {
 
@@ -19,7 +20,8 @@ class GpuOctree {
     // Uploads only `changes` (all, when they say so or the room is used up).
     void update(const OctreeView& octree, const OctreeChanges& changes);
 
-    // Counts uploads: equal revisions of one GpuOctree hold equal voxels.
+    // Changes with every upload, and is never the same for two octrees: equal revisions hold equal
+    // voxels.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
     [[nodiscard]] std::uint64_t bytesUploaded() const { return bytesUploaded_; }
     [[nodiscard]] glm::ivec3 size() const { return size_; }
@@ -27,14 +29,17 @@ class GpuOctree {
     [[nodiscard]] int maxDepth() const { return maxDepth_; }
     [[nodiscard]] std::uint32_t payloadOffset() const { return payloadOffset_; }  // in texels
     [[nodiscard]] std::uint32_t texture() const { return texture_.id(); }
+    [[nodiscard]] OctreeBlock block() const;  // what shaders need to read it
 
   private:
+    void uploadRuns(const OctreeView& octree, const OctreeChanges& changes);
+
     gl::Texture texture_;
     glm::ivec3 size_{0};
     glm::ivec3 treeFromVoxel_{0};
     int maxDepth_ = 1;
     std::uint32_t payloadOffset_ = 0;
-    std::uint32_t nodeCapacity_ = 0;
+    std::uint32_t nodeCapacity_ = 0;  // words, whole rows of the texture
     std::uint32_t payloadCapacity_ = 0;
     std::uint64_t revision_ = 0;
     std::uint64_t bytesUploaded_ = 0;

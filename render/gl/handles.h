@@ -44,4 +44,9 @@ using Framebuffer = Handle<deleteFramebuffer>;
 using VertexArray = Handle<deleteVertexArray>;
 using Program = Handle<deleteProgram>;
 
+[[nodiscard]] Texture createTexture2d();
+[[nodiscard]] Buffer createBuffer();
+[[nodiscard]] Framebuffer createFramebuffer();
+[[nodiscard]] VertexArray createVertexArray();
+
 }  // namespace voxprite::gl

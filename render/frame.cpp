@@ -1,0 +1,83 @@
+#include "render/frame.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/vec4.hpp>
+
+namespace voxprite {
+
+namespace {
+
+template <class T>
+void flipRows(std::vector<T>& values, int width) {
+    const auto stride = static_cast<std::ptrdiff_t>(width);
+    auto top = values.begin();
+    auto bottom = values.end();
+    while (bottom - top >= 2 * stride) {
+        bottom -= stride;
+        std::swap_ranges(top, top + stride, bottom);
+        top += stride;
+    }
+}
+
+}  // namespace
+
+Frame::Frame(glm::ivec2 sizePx) {
+    resize(sizePx);
+}
+
+void Frame::resize(glm::ivec2 sizePx) {
+    sizePx = glm::max(sizePx, glm::ivec2(1));
+    if (sizePx == sizePx_) return;
+    sizePx_ = sizePx;
+    colour_ = gl::createTexture2d();
+    depth_ = gl::createTexture2d();
+    glTextureStorage2D(colour_.id(), 1, GL_RGBA8, sizePx.x, sizePx.y);
+    glTextureStorage2D(depth_.id(), 1, GL_DEPTH_COMPONENT32F, sizePx.x, sizePx.y);
+    for (const std::uint32_t texture : {colour_.id(), depth_.id()}) {
+        glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    }
+    framebuffer_ = gl::createFramebuffer();
+    glNamedFramebufferTexture(framebuffer_.id(), GL_COLOR_ATTACHMENT0, colour_.id(), 0);
+    glNamedFramebufferTexture(framebuffer_.id(), GL_DEPTH_ATTACHMENT, depth_.id(), 0);
+}
+
+void Frame::bind() {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glViewport(0, 0, sizePx_.x, sizePx_.y);
+}
+
+void Frame::begin(Rgba8 background) {
+    bind();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_SCISSOR_TEST);
+    const glm::vec4 colour = glm::vec4(background) / 255.0f;
+    const float farthest = 0.0f;
+    glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, 0, &colour.x);
+    glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &farthest);
+}
+
+Image Frame::readColour() const {
+    Image image(sizePx_.x, sizePx_.y);
+    const auto bytes = static_cast<GLsizei>(image.pixels.size() * sizeof(Rgba8));
+    glGetTextureImage(colour_.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes, image.pixels.data());
+    flipRows(image.pixels, sizePx_.x);
+    return image;
+}
+
+std::vector<float> Frame::readDepth() const {
+    std::vector<float> depth(static_cast<std::size_t>(sizePx_.x) *
+                             static_cast<std::size_t>(sizePx_.y));
+    const auto bytes = static_cast<GLsizei>(depth.size() * sizeof(float));
+    glGetTextureImage(depth_.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, bytes, depth.data());
+    flipRows(depth, sizePx_.x);
+    return depth;
+}
+
+}  // namespace voxprite

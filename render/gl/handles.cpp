@@ -1,0 +1,45 @@
+#include "render/gl/handles.h"
+
+#include <glad/gl.h>
+
+namespace voxprite::gl {
+
+void deleteTexture(std::uint32_t id) {
+    glDeleteTextures(1, &id);
+}
+void deleteBuffer(std::uint32_t id) {
+    glDeleteBuffers(1, &id);
+}
+void deleteFramebuffer(std::uint32_t id) {
+    glDeleteFramebuffers(1, &id);
+}
+void deleteVertexArray(std::uint32_t id) {
+    glDeleteVertexArrays(1, &id);
+}
+void deleteProgram(std::uint32_t id) {
+    glDeleteProgram(id);
+}
+
+namespace {
+template <class Object, class Create>
+Object created(Create create) {
+    std::uint32_t id = 0;
+    create(&id);
+    return Object{id};
+}
+}  // namespace
+
+Texture createTexture2d() {
+    return created<Texture>([](auto* id) { glCreateTextures(GL_TEXTURE_2D, 1, id); });
+}
+Buffer createBuffer() {
+    return created<Buffer>([](auto* id) { glCreateBuffers(1, id); });
+}
+Framebuffer createFramebuffer() {
+    return created<Framebuffer>([](auto* id) { glCreateFramebuffers(1, id); });
+}
+VertexArray createVertexArray() {
+    return created<VertexArray>([](auto* id) { glCreateVertexArrays(1, id); });
+}
+
+}  // namespace voxprite::gl

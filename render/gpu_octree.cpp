@@ -1,0 +1,114 @@
+#include "render/gpu_octree.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+
+namespace voxprite {
+
+namespace {
+
+// kWidthBits of shaders/shared/octree.glsl.
+constexpr std::uint32_t kWidth = 4096;
+
+// Payloads are uploaded as they lie in memory: low word first.
+static_assert(std::endian::native == std::endian::little);
+
+// Equal numbers mean equal voxels whichever octree object they come from, so that a cache may go by
+// the number alone.
+std::uint64_t nextRevision() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
+// Whole rows, with half as much room again.
+std::uint32_t roomyCapacity(std::size_t texels) {
+    const std::size_t roomy = texels + texels / 2 + 1;
+    return static_cast<std::uint32_t>((roomy + kWidth - 1) / kWidth) * kWidth;
+}
+
+void uploadRectangle(std::uint32_t texture, std::uint32_t x, std::uint32_t y, std::uint32_t width,
+                     std::uint32_t height, const std::uint32_t* words) {
+    glTextureSubImage2D(texture, 0, static_cast<GLint>(x), static_cast<GLint>(y),
+                        static_cast<GLsizei>(width), static_cast<GLsizei>(height), GL_RED_INTEGER,
+                        GL_UNSIGNED_INT, words);
+}
+
+// A run of texels: the rest of its first row, whole rows, the start of the last.
+void uploadRun(std::uint32_t texture, std::uint32_t first, std::uint32_t count,
+               const std::uint32_t* words) {
+    while (count > 0) {
+        const std::uint32_t x = first % kWidth;
+        const bool wholeRows = x == 0 && count >= kWidth;
+        const std::uint32_t width = wholeRows ? kWidth : std::min(kWidth - x, count);
+        const std::uint32_t height = wholeRows ? count / kWidth : 1;
+        uploadRectangle(texture, x, first / kWidth, width, height, words);
+        first += width * height;
+        count -= width * height;
+        words += width * height;
+    }
+}
+
+}  // namespace
+
+GpuOctree::GpuOctree() = default;
+
+void GpuOctree::upload(const OctreeView& octree) {
+    if (octree.nodes.size() > nodeCapacity_ || octree.payloads.size() > payloadCapacity_ ||
+        !texture_) {
+        nodeCapacity_ = roomyCapacity(octree.nodes.size());
+        const std::uint32_t payloadTexels = roomyCapacity(2 * octree.payloads.size());
+        payloadCapacity_ = payloadTexels / 2;
+        payloadOffset_ = nodeCapacity_;
+        texture_ = gl::createTexture2d();
+        glTextureStorage2D(texture_.id(), 1, GL_R32UI, static_cast<GLsizei>(kWidth),
+                           static_cast<GLsizei>((nodeCapacity_ + payloadTexels) / kWidth));
+        glTextureParameteri(texture_.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTextureParameteri(texture_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    }
+    OctreeChanges all;
+    all.nodes.push_back({0, static_cast<std::uint32_t>(octree.nodes.size())});
+    all.payloads.push_back({0, static_cast<std::uint32_t>(octree.payloads.size())});
+    uploadRuns(octree, all);
+}
+
+void GpuOctree::update(const OctreeView& octree, const OctreeChanges& changes) {
+    if (changes.everything || !texture_ || octree.nodes.size() > nodeCapacity_ ||
+        octree.payloads.size() > payloadCapacity_) {
+        upload(octree);
+        return;
+    }
+    uploadRuns(octree, changes);
+}
+
+void GpuOctree::uploadRuns(const OctreeView& octree, const OctreeChanges& changes) {
+    for (const ArrayRange& run : changes.nodes) {
+        uploadRun(texture_.id(), run.first, run.count, octree.nodes.data() + run.first);
+        bytesUploaded_ += std::uint64_t{4} * run.count;
+    }
+    for (const ArrayRange& run : changes.payloads) {
+        const auto* words =
+            reinterpret_cast<const std::uint32_t*>(octree.payloads.data() + run.first);
+        uploadRun(texture_.id(), payloadOffset_ + 2 * run.first, 2 * run.count, words);
+        bytesUploaded_ += std::uint64_t{8} * run.count;
+    }
+    const bool sameShape = size_ == octree.size && treeFromVoxel_ == octree.treeFromVoxel &&
+                           maxDepth_ == octree.maxDepth;
+    if (changes.any() || !sameShape) revision_ = nextRevision();
+    size_ = octree.size;
+    treeFromVoxel_ = octree.treeFromVoxel;
+    maxDepth_ = octree.maxDepth;
+}
+
+OctreeBlock GpuOctree::block() const {
+    OctreeBlock block;
+    block.svo_model_size = glm::uvec3(size_);
+    block.svo_max_depth = static_cast<std::uint32_t>(maxDepth_);
+    block.tree_from_voxel = treeFromVoxel_;
+    block.payload_offset = payloadOffset_;
+    return block;
+}
+
+}  // namespace voxprite

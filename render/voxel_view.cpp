@@ -1,0 +1,180 @@
+#include "render/voxel_view.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "render/gl/draw_state.h"
+#include "render/gl/program.h"
+#include "render/palette_texture.h"
+
+namespace voxprite {
+
+namespace {
+
+struct VoxelViewBlock {
+    std::array<glm::vec4, 8> box_corners{};
+    std::array<glm::vec4, 3> voxel_ray_origin{};
+    std::array<glm::vec4, 3> voxel_ray_direction{};
+    glm::vec4 view_depth_from_t{0.0f};
+    std::array<glm::vec4, 3> face_light{};
+    glm::vec4 background_top{0.0f};
+    glm::vec4 background_bottom{0.0f};
+    glm::vec4 grid_colour{0.0f};
+    glm::ivec3 view_box_low{0};
+    float near_metres = 0.01f;
+    glm::ivec3 view_box_high{0};
+    std::int32_t edges_shown = 1;
+    glm::vec2 half_viewport_px{0.0f};
+    glm::vec2 grid_centre{0.0f};
+    glm::vec2 grid_corner{0.0f};
+    float grid_height = 0.0f;
+    float grid_radius = 1.0f;
+    std::int32_t grid_shown = 1;
+    std::array<float, 3> padding{};
+};
+static_assert(sizeof(VoxelViewBlock) == 416);
+
+// Voxel coordinates from the middle of the octree's root cube, which shaders compute in.
+struct RootSpace {
+    glm::dvec3 voxelOfMiddle{0.0};
+    glm::dmat3 voxelAxesFromWorld{1.0};
+    double voxelsPerMetre = 1.0;
+    glm::dvec3 eye{0.0};
+
+    RootSpace(const GpuOctree& octree, const PlacedEntity& placed, const Camera& camera)
+        : voxelOfMiddle(glm::dvec3(1 << (octree.maxDepth() - 1)) -
+                        glm::dvec3(octree.treeFromVoxel())),
+          voxelAxesFromWorld(glm::transpose(placed.worldFromVoxelAxes)),
+          voxelsPerMetre(1.0 / placed.metresPerVoxel()),
+          eye(vector(camera.eyeMetres - placed.anchorMetres) + placed.anchor - voxelOfMiddle) {}
+
+    // A direction or distance of the world, in voxels.
+    [[nodiscard]] glm::dvec3 vector(glm::dvec3 metres) const {
+        return voxelAxesFromWorld * metres * voxelsPerMetre;
+    }
+};
+
+// Half-lambert (Valve 2004): faces turned away keep their shape. One value for each face.
+float halfLambert(glm::dvec3 normal, glm::dvec3 towardLight, double ambient) {
+    const double wrapped = 0.5 + 0.5 * glm::dot(normal, towardLight);
+    return static_cast<float>(ambient + (1.0 - ambient) * wrapped);
+}
+
+}  // namespace
+
+struct VoxelView::Impl {
+    gl::Program voxels;
+    gl::Program backdrop;
+    gl::VertexArray nothing = gl::createVertexArray();
+    gl::UniformBuffer octreeBlock;
+    gl::UniformBuffer viewBlock;
+    PaletteTexture palette;
+
+    void fillBox(VoxelViewBlock& block, const GpuOctree& octree, const PlacedEntity& placed,
+                 const Camera& camera) const;
+    void fillRays(VoxelViewBlock& block, const RootSpace& space, const Camera& camera) const;
+    void fillLook(VoxelViewBlock& block, const RootSpace& space, const GpuOctree& octree,
+                  const VoxelViewOptions& options) const;
+};
+
+void VoxelView::Impl::fillBox(VoxelViewBlock& block, const GpuOctree& octree,
+                              const PlacedEntity& placed, const Camera& camera) const {
+    const glm::ivec3 edge(1 << octree.maxDepth());
+    block.view_box_low = glm::clamp(octree.treeFromVoxel(), glm::ivec3(0), edge);
+    block.view_box_high = glm::clamp(octree.treeFromVoxel() + octree.size(), glm::ivec3(0), edge);
+    const glm::dmat4 clipFromEye = camera.clipFromCameraRelative();
+    const glm::dvec3 low(block.view_box_low - octree.treeFromVoxel());
+    const glm::dvec3 high(block.view_box_high - octree.treeFromVoxel());
+    for (int octant = 0; octant < 8; ++octant) {
+        const glm::dvec3 voxel((octant & 1) != 0 ? high.x : low.x,
+                               (octant & 2) != 0 ? high.y : low.y,
+                               (octant & 4) != 0 ? high.z : low.z);
+        const glm::dvec3 metres = placed.worldFromVoxel(voxel) - camera.eyeMetres;
+        block.box_corners[static_cast<std::size_t>(octant)] =
+            glm::vec4(clipFromEye * glm::dvec4(metres, 1.0));
+    }
+}
+
+void VoxelView::Impl::fillRays(VoxelViewBlock& block, const RootSpace& space,
+                               const Camera& camera) const {
+    const EyeRays rays = eyeRays(camera);
+    block.voxel_ray_origin = {toVec4(space.vector(rays.originPerX)),
+                              toVec4(space.vector(rays.originPerY)), toVec4(space.eye)};
+    block.voxel_ray_direction = {toVec4(space.vector(rays.directionPerX)),
+                                 toVec4(space.vector(rays.directionPerY)),
+                                 toVec4(space.vector(rays.direction))};
+    block.view_depth_from_t = glm::vec4(depthFromMetres(camera));
+    block.near_metres = static_cast<float>(camera.nearMetres);
+    block.half_viewport_px = 0.5f * glm::vec2(camera.viewportPx);
+}
+
+void VoxelView::Impl::fillLook(VoxelViewBlock& block, const RootSpace& space,
+                               const GpuOctree& octree, const VoxelViewOptions& options) const {
+    const glm::dvec3 toward = space.voxelAxesFromWorld * glm::normalize(options.light.towardLight);
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 normal(0.0);
+        normal[axis] = 1.0;
+        glm::vec4& light = block.face_light[static_cast<std::size_t>(axis)];
+        light.x = halfLambert(normal, toward, options.light.ambient);
+        light.y = halfLambert(-normal, toward, options.light.ambient);
+    }
+    block.background_top = toVec4(options.backgroundTop);
+    block.background_bottom = toVec4(options.backgroundBottom);
+    block.grid_colour = glm::vec4(0.72f, 0.76f, 0.84f, 0.30f);
+    block.edges_shown = options.edges ? 1 : 0;
+    const glm::dvec3 low = -space.voxelOfMiddle;
+    const glm::dvec3 size(octree.size());
+    block.grid_centre = glm::vec2(low.x + size.x / 2, low.y + size.y / 2);
+    block.grid_corner = glm::vec2(low.x, low.y);
+    block.grid_height = static_cast<float>(low.z);
+    block.grid_radius = static_cast<float>(24.0 + 2.0 * std::max(size.x, size.y));
+    block.grid_shown = options.ground ? 1 : 0;
+}
+
+void VoxelView::draw(Frame& frame, const GpuOctree& octree, const Palette& palette,
+                     const PlacedEntity& placed, const Camera& camera,
+                     const VoxelViewOptions& options) {
+    frame.begin(options.backgroundBottom);
+    const RootSpace space(octree, placed, camera);
+    VoxelViewBlock block;
+    impl_->fillBox(block, octree, placed, camera);
+    impl_->fillRays(block, space, camera);
+    impl_->fillLook(block, space, octree, options);
+    impl_->viewBlock.set(BlockBinding::voxelView, block);
+    glBindVertexArray(impl_->nothing.id());
+
+    gl::apply({});
+    gl::useProgram(impl_->backdrop);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    if (octree.texture() == 0) return;
+
+    impl_->octreeBlock.set(BlockBinding::octree, octree.block());
+    impl_->palette.set(palette.colours);
+    bindTexture(TextureUnit::svo, octree.texture());
+    bindTexture(TextureUnit::palette, impl_->palette.texture());
+    gl::apply(
+        {.depthTest = gl::DepthTest::nearer, .depthWrite = true, .cull = gl::Cull::frontFaces});
+    gl::useProgram(impl_->voxels);
+    glDrawArrays(GL_TRIANGLES, 0, 36);
+}
+
+Result<VoxelView> VoxelView::create() {
+    auto impl = std::make_unique<Impl>();
+    Result<gl::Program> voxels = gl::compileProgram("voxel_view.vert", "voxel_view.frag");
+    if (!voxels) return tl::unexpected(voxels.error());
+    Result<gl::Program> backdrop = gl::compileProgram("fullscreen.vert", "voxel_backdrop.frag");
+    if (!backdrop) return tl::unexpected(backdrop.error());
+    impl->voxels = std::move(*voxels);
+    impl->backdrop = std::move(*backdrop);
+    return VoxelView(std::move(impl));
+}
+
+VoxelView::VoxelView(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+VoxelView::~VoxelView() = default;
+VoxelView::VoxelView(VoxelView&&) noexcept = default;
+VoxelView& VoxelView::operator=(VoxelView&&) noexcept = default;
+
+}  // namespace voxprite

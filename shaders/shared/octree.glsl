@@ -1,0 +1,72 @@
+// The baked octree in a texture: nodes, then payloads, linear index i at (i % width, i / width).
+// The words are those of core/svo/octree.h. All cells here are tree coordinates, inside the root.
+
+layout(binding = 0) uniform usampler2D svo_texture;
+
+layout(std140, binding = 0) uniform OctreeBlock {
+    uvec3 svo_model_size;
+    uint svo_max_depth;
+    ivec3 tree_from_voxel;
+    uint node_offset;     // texels
+    uint payload_offset;  // texels; a payload takes two, low word first
+};
+
+const uint kWidthBits = 12u;  // the texture is 4096 texels wide
+const uint kInternal = 0x80000000u;
+const uint kBrick = 0x40000000u;
+
+uint svoTexel(uint index) {
+    return texelFetch(svo_texture,
+                      ivec2(int(index & ((1u << kWidthBits) - 1u)), int(index >> kWidthBits)), 0).r;
+}
+
+// A cube of one material: the cell itself in a brick, or the largest node known to be of one kind.
+// Its edge is 2^shift cells.
+struct Region {
+    uint material;  // 0 is empty
+    int shift;
+};
+
+// Remembers the words on the way down, so that the next look-up nearby starts where the paths part.
+struct Cursor {
+    ivec3 cell;
+    int shift;  // of the deepest word remembered
+};
+uint path_words[17];  // by shift
+
+void startAtRoot(out Cursor cursor) {
+    cursor.cell = ivec3(0);
+    cursor.shift = int(svo_max_depth);
+    path_words[cursor.shift] = svoTexel(node_offset);
+}
+
+Region regionAt(ivec3 cell, inout Cursor cursor) {
+    ivec3 changed = cell ^ cursor.cell;
+    int shift = max(cursor.shift, findMSB(changed.x | changed.y | changed.z) + 1);
+    uint word = path_words[shift];
+    Region region = Region(0u, shift);
+    while ((word & kInternal) != 0u) {
+        --region.shift;
+        ivec3 bits = (cell >> region.shift) & 1;
+        uint octant = uint(bits.x | (bits.y << 1) | (bits.z << 2));
+        uint children = word & 0xFFu;
+        if (((children >> octant) & 1u) == 0u) break;
+        uint child = ((word & 0x7FFFFF00u) >> 8u) +
+                     uint(bitCount(children & ((1u << octant) - 1u)));
+        word = svoTexel(node_offset + child);
+        shift = region.shift;
+        path_words[shift] = word;
+    }
+    cursor.cell = cell;
+    cursor.shift = shift;
+    if ((word & kInternal) != 0u) return region;
+    if ((word & kBrick) != 0u) {
+        ivec3 bits = cell & 1;
+        uint payload = payload_offset + 2u * (word & 0x3FFFFFFFu) + uint(bits.z);
+        region.material = (svoTexel(payload) >> uint(8 * (bits.x | (bits.y << 1)))) & 0xFFu;
+        region.shift = 0;
+        return region;
+    }
+    region.material = word & 0xFFu;
+    return region;
+}

@@ -1,0 +1,19 @@
+// Sprite buffer, first pass: one ray a virtual pixel.
+
+#include "shared/lattice.glsl"
+
+layout(binding = 1) uniform sampler2D palette_texture;  // lit; column = material, row = face axis
+
+layout(location = 0) out vec4 colour;
+layout(location = 1) out uint id;
+
+void main() {
+    LatticeHit hit = castLattice(ivec2(first_x, first_y) + ivec2(gl_FragCoord.xy));
+    if (hit.material == 0u) {
+        colour = vec4(0.0);
+        id = 0u;
+        return;
+    }
+    colour = texelFetch(palette_texture, ivec2(int(hit.material), hit.face_axis), 0);
+    id = voxelId(hit);
+}
