@@ -5,6 +5,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+
 namespace voxprite {
 
 void parallelFor(int count, int threads, const std::function<void(int first, int last)>& body) {
@@ -13,7 +15,9 @@ void parallelFor(int count, int threads, const std::function<void(int first, int
         body(0, count);
         return;
     }
-    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    // TBB has no more workers than cores and would complain about a request for them.
+    const int all = hardwareThreads();
+    tbb::task_arena arena(threads > 0 ? std::min(threads, all) : all);
     arena.execute([&] {
         tbb::parallel_for(
             tbb::blocked_range<int>(0, count),
