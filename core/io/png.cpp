@@ -1,0 +1,71 @@
+#include "core/io/png.h"
+
+#include <cstring>
+#include <limits>
+#include <memory>
+
+#include "core/base/file.h"
+#include "core/io/png_check.h"
+
+#define STBI_ONLY_PNG
+#define STBI_NO_STDIO
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#include <stb_image.h>
+#define STBI_WRITE_NO_STDIO
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#include <stb_image_write.h>
+
+namespace voxprite {
+
+Result<Image> readPng(ByteView bytes) {
+    if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+        return fail("the PNG file is larger than 2 GiB");
+    }
+    if (Status s = checkPng(bytes, kMaxPngEdge); !s) return tl::unexpected(s.error());
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+        stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height,
+                              &channels, STBI_rgb_alpha),
+        stbi_image_free);
+    if (!pixels) return fail(std::string("the PNG cannot be read: ") + stbi_failure_reason());
+    Image image(width, height);
+    std::memcpy(image.pixels.data(), pixels.get(), image.pixels.size() * sizeof(Rgba8));
+    return image;
+}
+
+Result<Bytes> writePng(const Image& image) {
+    if (image.width < 1 || image.height < 1 || image.width > kMaxPngEdge ||
+        image.height > kMaxPngEdge) {
+        return fail("a picture of " + std::to_string(image.width) + " x " +
+                    std::to_string(image.height) + " pixels cannot be written; 1 to " +
+                    std::to_string(kMaxPngEdge) + " an edge can");
+    }
+    Bytes bytes;
+    const auto append = [](void* context, void* data, int size) {
+        const auto* first = static_cast<const std::uint8_t*>(data);
+        auto& target = *static_cast<Bytes*>(context);
+        target.insert(target.end(), first, first + size);
+    };
+    const int written = stbi_write_png_to_func(append, &bytes, image.width, image.height, 4,
+                                               image.pixels.data(), image.width * 4);
+    if (written == 0) return fail("there is not enough memory to write the picture");
+    return bytes;
+}
+
+Result<Image> readPngFile(const std::filesystem::path& path) {
+    return inFile(readFile(path).and_then([](const Bytes& bytes) { return readPng(bytes); }),
+                  path.string());
+}
+
+Status writePngFile(const std::filesystem::path& path, const Image& image) {
+    return inFile(writePng(image).and_then([&](const Bytes& bytes) {
+        return writeFileAtomically(path, ByteView(bytes));
+    }),
+                  path.string());
+}
+
+}  // namespace voxprite
