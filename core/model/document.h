@@ -29,7 +29,7 @@ struct Model {
 };
 
 // Frames run from 0 to at most kMaxFrames - 1.
-inline constexpr int kMaxFrames = 1 << 14;
+inline constexpr int kMaxFrames = 1 << 16;
 
 struct PlacementKey {
     int frame = 0;  // from here on, until the next key
@@ -51,8 +51,9 @@ struct SceneNode {
     int layer = -1;             // index into Document::layers; -1 is none
     int parent = -1;            // -1 only for the root, node 0
     std::vector<int> children;  // indices into Document::nodes, in drawing order: later wins
-    std::vector<PlacementKey> placements{PlacementKey{}};  // ascending frames, at least one
-    std::vector<ModelKey> models;                          // ascending frames; empty for a group
+    std::vector<PlacementKey> placements =
+        std::vector<PlacementKey>(1);  // ascending frames, at least one
+    std::vector<ModelKey> models;      // ascending frames; empty for a group
     // After the frame of its last key the track starts again: frame f is f mod (last + 1).
     bool loopPlacements = false;
     bool loopModels = false;

@@ -104,9 +104,9 @@ TEST(Document, KeysMustAscend) {
     EXPECT_EQ(messageFor([](Document& d) { d.nodes[7].models[1].frame = 0; }),
               "node 7 (\"walker\"): models: frame 0 follows frame 0; frames must ascend");
     EXPECT_EQ(messageFor([](Document& d) { d.nodes[7].placements[0].frame = -1; }),
-              "node 7 (\"walker\"): placements: frame -1 is outside 0 ... 16383");
+              "node 7 (\"walker\"): placements: frame -1 is outside 0 ... 65535");
     EXPECT_EQ(messageFor([](Document& d) { d.nodes[7].placements[1].frame = kMaxFrames; }),
-              "node 7 (\"walker\"): placements: frame 16384 is outside 0 ... 16383");
+              "node 7 (\"walker\"): placements: frame 65536 is outside 0 ... 65535");
     EXPECT_EQ(messageFor([](Document& d) { d.nodes[7].placements.clear(); }),
               "node 7 (\"walker\"): it has no placement");
 }
