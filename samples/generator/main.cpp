@@ -18,7 +18,6 @@ Document village() {
     Document document;
     document.palette = samplePalette();
     document.entity.name = "village";
-    SceneNode& root = document.nodes[0];
     const auto addModel = [&](VoxelGrid grid) {
         document.models.emplace_back();
         document.models.back().voxels = std::move(grid);
@@ -31,12 +30,11 @@ Document village() {
         node.parent = 0;
         node.models = {ModelKey{0, model}};
         node.placements = {PlacementKey{0, Placement{turn, at}}};
-        root.children.push_back(static_cast<int>(document.nodes.size()));
+        document.nodes[0].children.push_back(static_cast<int>(document.nodes.size()));
         document.nodes.push_back(std::move(node));
     };
     const SignedPermutation quarterTurn{{1, 0, 2}, {-1, 1, 1}};
     const SignedPermutation mirrorX{{0, 1, 2}, {-1, 1, 1}};
-    document.nodes.reserve(16);
     const int ground = addModel(meadow());
     const int house = addModel(cottage());
     const int tree = addModel(oak());
