@@ -1,8 +1,85 @@
 // .svo: octrees for the game's runtime. Versioned, little-endian, checksummed; sections are aligned
 // so that the file can be memory-mapped and its arrays handed to a GPU without a copy.
-// [The byte diagram stands here: it is part of the format's definition.]
+//
+// All numbers are little-endian; u is unsigned, i two's complement, f64 IEEE 754 double. "Reserved"
+// bytes are written as 0 and ignored by readers. CRC-32 is the one of PNG and ZIP (polynomial
+// 0xEDB88320 reflected, start and final xor 0xFFFFFFFF).
+//
+//   byte  type    header (64 bytes)
+//      0  u8[8]   magic: 89 53 56 4F 0D 0A 1A 0A  ("\x89SVO\r\n\x1A\n")
+//      8  u16     major version, 1: a reader refuses any other
+//     10  u16     minor version, 0: later ones only add sections and use reserved bytes
+//     12  u32     number of sections
+//     16  u64     length of the whole file
+//     24  u8[36]  reserved
+//     60  u32     CRC-32 of header and section table, these four bytes taken as 0
+//
+//     64          section table: 32 bytes a section, in ascending order of their offsets
+//      0  u8[4]   tag, four ASCII letters; none occurs twice
+//      4  u32     flags; bit 0: a reader that does not know the tag must refuse the file
+//                 (else it skips the section), other bits reserved
+//      8  u64     offset in the file, a multiple of 64; bytes between sections are 0
+//     16  u64     length
+//     24  u32     CRC-32 of the section
+//     28  u32     reserved
+//
+// The sections of version 1, all of them required. Their order in the file is free; writeSvo writes
+// this one. A text is a pair (u32 offset into STRS, u32 length): UTF-8, no terminating zero; no two
+// texts share bytes, (0, 0) is the empty text.
+//
+//   MODL  64 bytes a model, at least one: the descriptors
+//      0  u32     NodeOffset: first node of this model in NODE, in nodes
+//      4  u32     PayloadOffset: first payload in PAYL, in payloads
+//      8  u32     MaxDepth, 1 ... 16: the root is a cube of edge 2^MaxDepth
+//     12  u32[3]  VoxelDimensions x, y, z, at most 65,536; all 0 for an empty model
+//     24  u32     number of nodes, 1 ... 8,388,608
+//     28  u32     number of payloads
+//     32  i32[3]  origin: where voxel (0,0,0) lies in the entity's own coordinates
+//     44  text    name
+//     52  u8[12]  reserved
+//   NODE  4 bytes a node: the node words of all models (core/svo/octree.h), one model after the
+//         other without gaps; child indices count from the model's own first node
+//   PAYL  8 bytes a payload, in the same manner. Read as two u32, the low one comes first
+//   PALT  256 x 4 bytes: R, G, B, A of every material; entry 0 is 0, 0, 0, 0
+//   CNAM  256 texts: the materials' names
+//   CLIP  32 bytes a clip, possibly none
+//      0  text    name
+//      8  u32     first frame in FRAM; clips follow one another without gaps
+//     12  u32     number of frames, at least 1
+//     16  u32     flags; bit 0: the clip loops
+//     20  u8[12]  reserved
+//   FRAM  8 bytes a frame. The models of one clip have the same VoxelDimensions and origin
+//      0  u32     index of the model shown
+//      4  u32     duration in milliseconds, 1 ... 1,000,000
+//   AUTH  64 bytes: the values the entity was authored with (the game's own profile wins)
+//      0  f64     VoxelSize, metres a voxel, 1e-6 ... 1e6
+//      8  f64     sigma, virtual pixels a voxel, 1/64 ... 64
+//     16  f64[3]  anchor x, y, z in voxels from the models' minimum corner
+//     40  u32     flags; bit 0: the sprite has an outline
+//     44  u8[4]   the outline's colour R, G, B, A; A is 255
+//     48  text    name of the entity
+//     56  u8[8]   reserved
+//   STRS  the bytes of all texts
+//
+// Limits, so that a small file cannot unfold into more than a machine holds: 16,384 frames (those
+// of the clips, and one for each model that no clip shows) and 2^40 solid voxels in all models.
+//
+// A minimal reader in C: check magic and major version, find the sections MODL, NODE and PAYL in
+// the table, and point at them. Voxel (x,y,z) of model m, with n = NODE + m.NodeOffset and
+// p = PAYL + m.PayloadOffset:
+//
+//     uint32_t w = n[0];
+//     for (int bit = m.MaxDepth - 1;; --bit) {
+//         unsigned o = (z >> bit & 1) << 2 | (y >> bit & 1) << 1 | (x >> bit & 1);
+//         if (!(w >> 31)) return w >> 30 ? (uint8_t)(p[w & 0x3FFFFFFF] >> 8 * o) : w;
+//         if (!(w >> o & 1)) return 0;
+//         w = n[(w >> 8 & 0x7FFFFF) + popcount(w & ((1u << o) - 1))];
+//     }
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
 #include <string>
 #include <vector>
 
@@ -17,6 +94,7 @@ namespace voxprite {
 struct SvoModel {
     std::string name;
     Octree octree;  // canonical; all frames of one entity have the same size and origin
+    bool operator==(const SvoModel&) const = default;
 };
 
 struct SvoClip {
@@ -37,24 +115,32 @@ struct SvoFile {
     double sigma = 4.0;
     glm::dvec3 anchor{0.0};  // voxels, from the minimum corner
     Outline outline;
+    bool operator==(const SvoFile&) const = default;
 };
 
 // Frames of a document baked into a file, with the authored values of the profile. One model a
-// frame; equal frames are shared.
+// frame; equal frames are shared. The document's clips; without any, more than one frame make one
+// clip "all".
 [[nodiscard]] Result<SvoFile> bakeForExport(const Document& document, const GameProfile& profile);
-// Only source model `model` of the document, without its placement.
+// Only source model `model` of the document, without its placement; its anchor is its bottom
+// centre.
 [[nodiscard]] Result<SvoFile> bakeModelForExport(const Document& document,
                                                  const GameProfile& profile, int model);
 
+// The same bytes for the same file, always. Fails where readSvo() would.
 [[nodiscard]] Result<Bytes> writeSvo(const SvoFile& file);
-// Checks magic, version, checksums, every index, every string; unknown later sections are skipped.
+// Checks magic, version, checksums, every index, every string, every octree; unknown later sections
+// are skipped. All or nothing, with the byte offset.
 [[nodiscard]] Result<SvoFile> readSvo(ByteView bytes);
 
 // Reads `bytes` back and compares every voxel of every frame with the document (through flatten(),
 // not through the bake). What `export` calls before it reports success.
 [[nodiscard]] Status verifyExport(ByteView bytes, const Document& document);
+// The same for what bakeModelForExport() made.
+[[nodiscard]] Status verifyModelExport(ByteView bytes, const Document& document, int model);
 
-// The octrees as a document again: one object, a model a frame.
+// The octrees as a document again: one object; the frames of the clips one after another, then
+// those models that no clip shows.
 [[nodiscard]] Document documentFromSvo(const SvoFile& file);
 
 }  // namespace voxprite

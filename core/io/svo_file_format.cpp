@@ -1,0 +1,129 @@
+#include "core/io/svo_file_format.h"
+
+#include <algorithm>
+
+#include "core/base/hash.h"
+#include "core/io/vox_fields.h"
+#include "core/svo/validate.h"
+
+namespace voxprite::svo {
+namespace {
+
+constexpr std::uint32_t kMaxDurationMilliseconds = 1'000'000;
+constexpr std::uint64_t kMaxSolids = std::uint64_t{1} << 40;
+
+std::uint64_t solidsUnder(const Octree& octree, std::uint32_t word, int depth) {
+    if (node::isBrick(word)) {
+        const std::uint64_t payload = octree.payloads[node::payloadIndex(word)];
+        std::uint64_t solids = 0;
+        for (unsigned octant = 0; octant < 8; ++octant) {
+            solids += payloadMaterial(payload, octant) != 0 ? 1 : 0;
+        }
+        return solids;
+    }
+    if (!node::isInternal(word)) {
+        return node::isEmpty(word) ? 0 : std::uint64_t{1} << 3 * (octree.maxDepth - depth);
+    }
+    std::uint64_t solids = 0;
+    for (unsigned octant = 0; octant < 8; ++octant) {
+        if (!node::hasChild(word, octant)) continue;
+        solids += solidsUnder(octree, octree.nodes[node::childIndex(word, octant)], depth + 1);
+    }
+    return solids;
+}
+
+}  // namespace
+
+std::uint32_t headerCrc(ByteView headerAndTable) {
+    Bytes bytes(headerAndTable.begin(), headerAndTable.end());
+    std::fill_n(bytes.begin() + kHeaderCrcAt, 4, std::uint8_t{0});
+    return crc32(bytes);
+}
+
+Status checkText(std::string_view text) {
+    if (utf8FromBytes(text) != text) return fail("a text is not UTF-8");
+    return {};
+}
+
+Status checkModel(const SvoModel& model) {
+    if (Status s = checkText(model.name); !s) return s;
+    if (Status s = validateCanonical(model.octree); !s) return s;
+    const glm::ivec3 min = model.octree.origin;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto last = std::int64_t{min[axis]} + std::max(model.octree.size[axis], 1) - 1;
+        if (min[axis] < -kMaxCoordinate || last > kMaxCoordinate) {
+            return fail("a model lies beyond 2^24 voxels from the origin");
+        }
+    }
+    return {};
+}
+
+Status checkClip(const SvoClip& clip, const std::vector<SvoModel>& models) {
+    if (Status s = checkText(clip.name); !s) return s;
+    const std::string name = "clip \"" + clip.name + "\"";
+    if (clip.models.empty()) return fail(name + " has no frames");
+    if (clip.durationsMilliseconds.size() != clip.models.size()) {
+        return fail(name + " has not one duration a frame");
+    }
+    for (const std::uint32_t duration : clip.durationsMilliseconds) {
+        if (duration < 1 || duration > kMaxDurationMilliseconds) {
+            return fail(name + " has a frame of " + std::to_string(duration) +
+                        " ms; it must be 1 ... 1000000");
+        }
+    }
+    for (const std::uint32_t model : clip.models) {
+        if (model >= models.size()) {
+            return fail(name + " shows model " + std::to_string(model) + " of " +
+                        std::to_string(models.size()));
+        }
+        const Octree& first = models[clip.models[0]].octree;
+        const Octree& octree = models[model].octree;
+        if (octree.size != first.size || octree.origin != first.origin) {
+            return fail(name + " shows models of different sizes or origins");
+        }
+    }
+    return {};
+}
+
+Status checkValues(const SvoFile& file) {
+    if (file.palette[0] != Rgba8(0)) return fail("palette entry 0 is not transparent black");
+    if (Status s = checkText(file.name); !s) return s;
+    GameProfile profile;
+    profile.voxelSizeMetres = file.voxelSizeMetres;
+    profile.sigma = file.sigma;
+    profile.outline = file.outline;
+    if (Status s = validate(profile); !s) return s;
+    Entity entity;
+    entity.anchorVoxels = file.anchor;
+    if (!file.models.empty()) *entity.anchorVoxels += glm::dvec3(file.models[0].octree.origin);
+    return validate(entity);
+}
+
+Status checkLimits(const SvoFile& file) {
+    if (file.models.empty()) return fail("the file holds no model");
+    std::size_t frames = modelsWithoutClip(file).size();
+    for (const SvoClip& clip : file.clips) frames += clip.models.size();
+    if (frames > static_cast<std::size_t>(kMaxFrames)) {
+        return fail("the file has " + std::to_string(frames) + " frames; 16,384 are the limit");
+    }
+    std::uint64_t solids = 0;
+    for (const SvoModel& model : file.models) {
+        solids += solidsUnder(model.octree, model.octree.nodes[0], 0);
+        if (solids > kMaxSolids) return fail("the models hold more than 2^40 solid voxels");
+    }
+    return {};
+}
+
+std::vector<std::uint32_t> modelsWithoutClip(const SvoFile& file) {
+    std::vector<bool> shown(file.models.size(), false);
+    for (const SvoClip& clip : file.clips) {
+        for (const std::uint32_t model : clip.models) shown[model] = true;
+    }
+    std::vector<std::uint32_t> models;
+    for (std::uint32_t i = 0; i < file.models.size(); ++i) {
+        if (!shown[i]) models.push_back(i);
+    }
+    return models;
+}
+
+}  // namespace voxprite::svo

@@ -1,0 +1,314 @@
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <optional>
+
+#include "core/base/hash.h"
+#include "core/io/svo_file_format.h"
+
+namespace voxprite {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "arrays are read as they stand");
+
+// Reads fields in a row; the first failure sticks, later reads give 0.
+class Fields {
+  public:
+    Fields(ByteReader reader, std::string_view what) : reader_(reader), what_(what) {}
+
+    [[nodiscard]] std::uint16_t u16() { return kept(reader_.u16(what_)); }
+    [[nodiscard]] std::uint32_t u32() { return kept(reader_.u32(what_)); }
+    [[nodiscard]] std::uint64_t u64() { return kept(reader_.u64(what_)); }
+    [[nodiscard]] std::int32_t i32() { return kept(reader_.i32(what_)); }
+    [[nodiscard]] double f64() { return kept(reader_.f64(what_)); }
+    [[nodiscard]] ByteView take(std::uint64_t count) { return kept(reader_.take(count, what_)); }
+    void skip(std::uint64_t count) { static_cast<void>(take(count)); }
+    [[nodiscard]] Rgba8 colour() {
+        const ByteView rgba = take(4);
+        return rgba.empty() ? Rgba8(0) : Rgba8(rgba[0], rgba[1], rgba[2], rgba[3]);
+    }
+    [[nodiscard]] std::uint64_t offset() const { return reader_.offset(); }
+    [[nodiscard]] Status status() const {
+        if (error_) return tl::unexpected(*error_);
+        return {};
+    }
+
+  private:
+    template <class T>
+    T kept(Result<T> value) {
+        if (value) return *value;
+        if (!error_) error_ = value.error();
+        return T{};
+    }
+
+    ByteReader reader_;
+    std::string_view what_;
+    std::optional<Error> error_;
+};
+
+Status atByte(std::uint64_t offset, Status status) {
+    if (!status) status.error().offset = offset;
+    return status;
+}
+
+class SvoReader {
+  public:
+    explicit SvoReader(ByteView bytes) : bytes_(bytes) {}
+
+    Result<SvoFile> run() {
+        for (const auto step :
+             {&SvoReader::readHeader, &SvoReader::readTable, &SvoReader::checkSections,
+              &SvoReader::readModels, &SvoReader::readPalette, &SvoReader::readClips,
+              &SvoReader::readAuthored}) {
+            if (Status s = (this->*step)(); !s) return tl::unexpected(s.error());
+        }
+        if (Status s = svo::checkLimits(file_); !s) {
+            return failAtByte(at(svo::MODL), s.error().message);
+        }
+        return std::move(file_);
+    }
+
+  private:
+    struct Part {
+        std::uint64_t offset = 0;
+        std::uint64_t length = 0;
+        bool present = false;
+    };
+
+    [[nodiscard]] std::uint64_t at(svo::Section section) const { return parts_[section].offset; }
+    [[nodiscard]] ByteView bytesOf(const Part& part) const {
+        return bytes_.subspan(part.offset, part.length);
+    }
+    [[nodiscard]] Fields fieldsOf(svo::Section section) const {
+        return {ByteReader(bytesOf(parts_[section]), at(section)), svo::kLayouts[section].tag};
+    }
+    [[nodiscard]] std::uint64_t recordsOf(svo::Section section) const {
+        return parts_[section].length / svo::kLayouts[section].recordBytes;
+    }
+
+    [[nodiscard]] Status readHeader() {
+        Fields fields(ByteReader(bytes_), "the header");
+        const ByteView magic = fields.take(svo::kMagic.size());
+        if (!std::equal(magic.begin(), magic.end(), svo::kMagic.begin(), svo::kMagic.end())) {
+            return failAtByte(0, "this is not a .svo file");
+        }
+        const std::uint16_t major = fields.u16();
+        static_cast<void>(fields.u16());
+        sectionCount_ = fields.u32();
+        const std::uint64_t length = fields.u64();
+        fields.skip(svo::kHeaderCrcAt - 24);
+        const std::uint32_t crc = fields.u32();
+        if (Status s = fields.status(); !s) return s;
+        if (major != svo::kMajorVersion) {
+            return failAtByte(8, "version " + std::to_string(major) + " of .svo is not known");
+        }
+        if (length != bytes_.size()) {
+            return failAtByte(16, "the file should have " + std::to_string(length) +
+                                      " bytes and has " + std::to_string(bytes_.size()));
+        }
+        if (sectionCount_ > (bytes_.size() - svo::kHeaderBytes) / svo::kSectionEntryBytes) {
+            return failAtByte(12, "the section table is longer than the file");
+        }
+        if (crc != svo::headerCrc(bytes_.first(tableEnd()))) {
+            return failAtByte(svo::kHeaderCrcAt, "the header or section table is damaged");
+        }
+        return {};
+    }
+
+    [[nodiscard]] std::uint64_t tableEnd() const {
+        return svo::kHeaderBytes + svo::kSectionEntryBytes * std::uint64_t{sectionCount_};
+    }
+
+    [[nodiscard]] Status readTable() {
+        ByteReader table(bytes_.subspan(svo::kHeaderBytes, tableEnd() - svo::kHeaderBytes),
+                         svo::kHeaderBytes);
+        Fields fields(table, "the section table");
+        std::uint64_t end = tableEnd();
+        for (std::uint32_t i = 0; i < sectionCount_; ++i) {
+            const std::uint64_t entry = fields.offset();
+            const ByteView tag = fields.take(4);
+            const std::uint32_t flags = fields.u32();
+            Part part;
+            part.offset = fields.u64();
+            part.length = fields.u64();
+            part.present = true;
+            const std::uint32_t crc = fields.u32();
+            fields.skip(4);
+            const std::string name(tag.begin(), tag.end());
+            if (part.offset % svo::kAlignment != 0 || part.offset < end ||
+                part.offset > bytes_.size() || part.length > bytes_.size() - part.offset) {
+                return failAtByte(entry, "section " + name + " does not lie within the file");
+            }
+            end = part.offset + part.length;
+            if (crc != crc32(bytesOf(part))) {
+                return failAtByte(part.offset, "section " + name + " is damaged");
+            }
+            const auto layout =
+                std::find_if(svo::kLayouts.begin(), svo::kLayouts.end(),
+                             [&](const svo::SectionLayout& known) { return known.tag == name; });
+            if (layout != svo::kLayouts.end()) {
+                Part& known = parts_[static_cast<std::size_t>(layout - svo::kLayouts.begin())];
+                if (known.present) return failAtByte(entry, "section " + name + " occurs twice");
+                known = part;
+            } else if ((flags & svo::kMustKnow) != 0) {
+                return failAtByte(entry, "section " + name + " is not known, but must be");
+            }
+        }
+        return fields.status();
+    }
+
+    [[nodiscard]] Status checkSections() {
+        for (std::size_t i = 0; i < svo::kSections; ++i) {
+            const svo::SectionLayout& layout = svo::kLayouts[i];
+            const std::string name = "section " + std::string(layout.tag);
+            const Part& part = parts_[i];
+            if (!part.present) return failAtByte(svo::kHeaderBytes, name + " is missing");
+            if (part.length % layout.recordBytes != 0 ||
+                (layout.records != 0 && part.length != layout.recordBytes * layout.records)) {
+                return failAtByte(part.offset, name + " has a wrong length");
+            }
+        }
+        return {};
+    }
+
+    // A text of a record. Texts share no bytes, so together they are no longer than STRS.
+    [[nodiscard]] Status readText(Fields& fields, std::string& text) {
+        const std::uint64_t entry = fields.offset();
+        const std::uint64_t first = fields.u32();
+        const std::uint64_t length = fields.u32();
+        const ByteView texts = bytesOf(parts_[svo::STRS]);
+        textBytes_ += length;
+        if (first + length > texts.size() || textBytes_ > texts.size()) {
+            return failAtByte(entry, "a text does not lie within section STRS");
+        }
+        const ByteView part = texts.subspan(first, length);
+        text.assign(part.begin(), part.end());
+        return atByte(at(svo::STRS) + first, svo::checkText(text));
+    }
+
+    // The next `count` elements of an array that lie at `first`, where the ones before ended.
+    template <class T>
+    [[nodiscard]] Status readArray(svo::Section section, std::uint64_t record, std::uint64_t first,
+                                   std::uint64_t count, std::uint64_t& end, std::vector<T>& to) {
+        const std::string name(svo::kLayouts[section].tag);
+        if (first != end)
+            return failAtByte(record, "the model's part of " + name + " leaves a gap");
+        if (count > recordsOf(section) - first) {
+            return failAtByte(record, "the model's part of " + name + " ends beyond it");
+        }
+        end += count;
+        to.resize(count);
+        const ByteView part =
+            bytesOf(parts_[section]).subspan(first * sizeof(T), count * sizeof(T));
+        if (!part.empty()) std::memcpy(to.data(), part.data(), part.size());
+        return {};
+    }
+
+    [[nodiscard]] Status readModels() {
+        Fields fields = fieldsOf(svo::MODL);
+        std::uint64_t nodesEnd = 0;
+        std::uint64_t payloadsEnd = 0;
+        for (std::uint64_t i = recordsOf(svo::MODL); i > 0; --i) {
+            const std::uint64_t record = fields.offset();
+            SvoModel model;
+            Octree& octree = model.octree;
+            const std::uint32_t firstNode = fields.u32();
+            const std::uint32_t firstPayload = fields.u32();
+            octree.maxDepth = fields.i32();
+            for (int axis = 0; axis < 3; ++axis) octree.size[axis] = fields.i32();
+            const std::uint32_t nodes = fields.u32();
+            const std::uint32_t payloads = fields.u32();
+            for (int axis = 0; axis < 3; ++axis) octree.origin[axis] = fields.i32();
+            if (Status s = readText(fields, model.name); !s) return s;
+            fields.skip(12);
+            if (Status s = readArray(svo::NODE, record, firstNode, nodes, nodesEnd, octree.nodes);
+                !s) {
+                return s;
+            }
+            if (Status s = readArray(svo::PAYL, record + 4, firstPayload, payloads, payloadsEnd,
+                                     octree.payloads);
+                !s) {
+                return s;
+            }
+            if (Status s = svo::checkModel(model); !s) {
+                const std::optional<std::uint64_t> node = s.error().offset;
+                return atByte(node ? at(svo::NODE) + 4 * (firstNode + *node) : record, s);
+            }
+            file_.models.push_back(std::move(model));
+        }
+        if (nodesEnd != recordsOf(svo::NODE)) {
+            return failAtByte(at(svo::NODE) + 4 * nodesEnd, "nodes that belong to no model");
+        }
+        if (payloadsEnd != recordsOf(svo::PAYL)) {
+            return failAtByte(at(svo::PAYL) + 8 * payloadsEnd, "payloads that belong to no model");
+        }
+        return fields.status();
+    }
+
+    [[nodiscard]] Status readPalette() {
+        Fields colours = fieldsOf(svo::PALT);
+        for (Rgba8& colour : file_.palette) colour = colours.colour();
+        Fields names = fieldsOf(svo::CNAM);
+        for (std::string& name : file_.colourNames) {
+            if (Status s = readText(names, name); !s) return s;
+        }
+        if (Status s = colours.status(); !s) return s;
+        return names.status();
+    }
+
+    [[nodiscard]] Status readClips() {
+        Fields fields = fieldsOf(svo::CLIP);
+        Fields frames = fieldsOf(svo::FRAM);
+        std::uint64_t framesEnd = 0;
+        for (std::uint64_t i = recordsOf(svo::CLIP); i > 0; --i) {
+            const std::uint64_t record = fields.offset();
+            SvoClip clip;
+            if (Status s = readText(fields, clip.name); !s) return s;
+            const std::uint32_t first = fields.u32();
+            const std::uint32_t count = fields.u32();
+            clip.loop = (fields.u32() & 1) != 0;
+            fields.skip(12);
+            if (first != framesEnd || count > recordsOf(svo::FRAM) - framesEnd) {
+                return failAtByte(record + 8, "the clip's frames are not the next ones of FRAM");
+            }
+            framesEnd += count;
+            for (std::uint32_t frame = 0; frame < count; ++frame) {
+                clip.models.push_back(frames.u32());
+                clip.durationsMilliseconds.push_back(frames.u32());
+            }
+            if (Status s = svo::checkClip(clip, file_.models); !s) return atByte(record, s);
+            file_.clips.push_back(std::move(clip));
+        }
+        if (framesEnd != recordsOf(svo::FRAM)) {
+            return failAtByte(at(svo::FRAM) + 8 * framesEnd, "frames that belong to no clip");
+        }
+        if (Status s = fields.status(); !s) return s;
+        return frames.status();
+    }
+
+    [[nodiscard]] Status readAuthored() {
+        Fields fields = fieldsOf(svo::AUTH);
+        file_.voxelSizeMetres = fields.f64();
+        file_.sigma = fields.f64();
+        for (int axis = 0; axis < 3; ++axis) file_.anchor[axis] = fields.f64();
+        file_.outline.enabled = (fields.u32() & 1) != 0;
+        file_.outline.colour = fields.colour();
+        if (Status s = readText(fields, file_.name); !s) return s;
+        if (Status s = fields.status(); !s) return s;
+        return atByte(at(svo::AUTH), svo::checkValues(file_));
+    }
+
+    ByteView bytes_;
+    std::uint32_t sectionCount_ = 0;
+    std::array<Part, svo::kSections> parts_;
+    std::uint64_t textBytes_ = 0;
+    SvoFile file_;
+};
+
+}  // namespace
+
+Result<SvoFile> readSvo(ByteView bytes) {
+    return SvoReader(bytes).run();
+}
+
+}  // namespace voxprite
