@@ -26,7 +26,6 @@ CameraBlock cameraBlock(const Camera& camera) {
     block.ray_origin = {toVec4(rays.originPerX), toVec4(rays.originPerY), glm::vec4(0.0f)};
     block.ray_direction = {toVec4(rays.directionPerX), toVec4(rays.directionPerY),
                            toVec4(rays.direction)};
-    block.depth_from_t = glm::vec4(depthFromMetres(camera));
     block.viewport_px = glm::vec2(camera.viewportPx);
     return block;
 }

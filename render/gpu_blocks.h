@@ -41,11 +41,10 @@ static_assert(sizeof(OctreeBlock) == 48);
 struct CameraBlock {
     std::array<glm::vec4, 3> ray_origin{};
     std::array<glm::vec4, 3> ray_direction{};
-    glm::vec4 depth_from_t{0.0f};
     glm::vec2 viewport_px{0.0f};
     std::array<float, 2> padding{};
 };
-static_assert(sizeof(CameraBlock) == 128);
+static_assert(sizeof(CameraBlock) == 112);
 
 // Eye rays of a camera as functions of the screen position (pixels from the viewport's middle, y
 // up), in metres from the eye along world axes; directions advance one metre of depth.

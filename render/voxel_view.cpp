@@ -60,7 +60,7 @@ struct RootSpace {
 // Half-lambert (Valve 2004): faces turned away keep their shape. One value for each face.
 float halfLambert(glm::dvec3 normal, glm::dvec3 towardLight, double ambient) {
     const double wrapped = 0.5 + 0.5 * glm::dot(normal, towardLight);
-    return static_cast<float>(ambient + (1.0 - ambient) * wrapped);
+    return static_cast<float>(ambient + (1.0 - ambient) * wrapped * wrapped);
 }
 
 }  // namespace

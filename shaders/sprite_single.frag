@@ -19,10 +19,18 @@ const ivec2 kNeighbours[5] =
 void main() {
     ivec2 cell;
     if (!virtualPixel(gl_FragCoord.xy, cell)) discard;
-    cell += ivec2(first_x, first_y);
     id = kIdEmpty;
+#ifdef PER_PIXEL_DEPTH
+    gl_FragDepth = 0.0;
+#endif
     for (int k = 0; k < (outline_enabled != 0 ? 5 : 1); ++k) {
-        LatticeHit hit = castLattice(cell + kNeighbours[k]);
+        ivec2 neighbour = cell + kNeighbours[k];
+        // No ray outside the region meets the model.
+        if (any(lessThan(neighbour, ivec2(0))) || any(greaterThanEqual(neighbour, region_size))) {
+            continue;
+        }
+        ivec2 pixel = neighbour + ivec2(first_x, first_y);
+        LatticeHit hit = castLattice(pixel);
         if (hit.material == 0u) continue;
         if (k == 0) {
             colour = texelFetch(palette_texture, ivec2(int(hit.material), hit.face_axis), 0);
@@ -32,9 +40,9 @@ void main() {
             id = kIdOutline;
         }
 #ifdef PER_PIXEL_DEPTH
-        float depth = voxelDepth(voxelId(hit), svo_model_size);
-        gl_FragDepth = id == kIdOutline && k > 1 ? max(gl_FragDepth, depth) : depth;
-        if (id == kIdOutline) continue;  // an outline pixel stands where its nearest neighbour does
+        // An outline pixel stands where its nearest neighbour does.
+        gl_FragDepth = max(gl_FragDepth, pixelDepth(pixel, voxelId(hit)));
+        if (id == kIdOutline) continue;
 #endif
         break;
     }

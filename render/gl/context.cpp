@@ -143,19 +143,22 @@ struct Candidate {
 // Mesa's surfaceless platform, then every device by itself (what NVIDIA's driver offers).
 std::vector<Candidate> candidates() {
     std::vector<Candidate> found;
-    if (GLAD_EGL_MESA_platform_surfaceless) {
-        found.push_back({"Mesa surfaceless", eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA,
-                                                                   EGL_DEFAULT_DISPLAY, nullptr)});
+    if (GLAD_EGL_EXT_platform_base && GLAD_EGL_MESA_platform_surfaceless) {
+        found.push_back(
+            {"Mesa surfaceless", eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA,
+                                                          EGL_DEFAULT_DISPLAY, nullptr)});
     }
-    if (GLAD_EGL_EXT_device_enumeration && GLAD_EGL_EXT_platform_device) {
+    if (GLAD_EGL_EXT_platform_base && GLAD_EGL_EXT_device_enumeration &&
+        GLAD_EGL_EXT_platform_device) {
         EGLint count = 0;
         eglQueryDevicesEXT(0, nullptr, &count);
         std::vector<EGLDeviceEXT> devices(static_cast<std::size_t>(count));
         eglQueryDevicesEXT(count, devices.data(), &count);
         for (EGLint i = 0; i < count; ++i) {
-            found.push_back({"EGL device " + std::to_string(i),
-                             eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT,
-                                                   devices[static_cast<std::size_t>(i)], nullptr)});
+            found.push_back(
+                {"EGL device " + std::to_string(i),
+                 eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT,
+                                          devices[static_cast<std::size_t>(i)], nullptr)});
         }
     }
     return found;

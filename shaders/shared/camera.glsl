@@ -4,7 +4,6 @@
 layout(std140, binding = 3) uniform CameraBlock {
     vec4 ray_origin[3];     // per x, per y, constant: of a screen position from the middle
     vec4 ray_direction[3];  // likewise
-    vec4 depth_from_t;      // depth = (x * t + y) / (z * t + w)
     vec2 viewport_px;
 };
 
@@ -16,8 +15,4 @@ vec3 eyeRayOrigin(vec2 screen) {
 vec3 eyeRayDirection(vec2 screen) {
     vec2 p = screen - 0.5 * viewport_px;
     return ray_direction[0].xyz * p.x + ray_direction[1].xyz * p.y + ray_direction[2].xyz;
-}
-
-float depthAt(float t) {
-    return (depth_from_t.x * t + depth_from_t.y) / (depth_from_t.z * t + depth_from_t.w);
 }

@@ -13,8 +13,11 @@ layout(std140, binding = 2) uniform SpriteBlock {
     int proxy_is_box;
     float billboard_depth;  // what the sprite writes; the nearest of it for per-pixel depth
     float camera_distance;  // of the sprite plane, metres
-    vec4 depth_row;         // per-pixel depth: metres ahead = dot(row, (voxel centre, 1))
-    vec4 depth_from_metres; // depth = (x * metres + y) / (z * metres + w)
+    // Per-pixel depth: a point of the lattice, in steps from the centre corner, lies
+    // dot(depth_per_step, (point, 1)) metres ahead of the eye, at the depth
+    // (x * metres + y) / (z * metres + w).
+    vec4 depth_per_step;
+    vec4 depth_from_metres;
     vec3 ray_dir_local;
     float voxel_size;
     vec3 camera_up_local;

@@ -1,15 +1,25 @@
-// The depth of a pixel of its own: that of the centre of the voxel it shows.
+// The depth of a pixel of its own: that of the point where its ray enters the voxel it shows.
+
+#include "shared/lattice.glsl"
 
 // The vertex stage emits the nearest depth of the sprite; a fragment only moves away from it.
 layout(depth_less) out float gl_FragDepth;
 
-float voxelDepth(uint id, uvec3 model_size) {
+float pixelDepth(ivec2 pixel, uint id) {
     uint index = id - 2u;
-    uint row = index / model_size.x;
-    precise vec3 centre =
-        vec3(uvec3(index % model_size.x, row % model_size.y, row / model_size.y)) + 0.5;
-    precise float metres = dot(depth_row.xyz, centre) + depth_row.w;
+    uint row = index / svo_model_size.x;
+    ivec3 voxel = ivec3(uvec3(index % svo_model_size.x, row % svo_model_size.y,
+                              row / svo_model_size.y));
+    // Unmirrored, from the centre corner, in lattice steps.
+    precise vec3 origin = vec3(mirror_sign) * vec3(rayOrigin(pixel));
+    precise vec3 direction = vec3(mirror_sign * lattice_direction);
+    precise vec3 face = vec3((voxel - ivec3(svo_model_size / 2u) + max(-mirror_sign, ivec3(0))) *
+                             (1 << position_bits));
+    precise vec3 times = mix((face - origin) / direction, vec3(-1e30),
+                             equal(lattice_direction, ivec3(0)));
+    precise vec3 point = origin + direction * max(max(times.x, times.y), times.z);
+    precise float metres = dot(depth_per_step.xyz, point) + depth_per_step.w;
     precise float depth = (depth_from_metres.x * metres + depth_from_metres.y) /
                           (depth_from_metres.z * metres + depth_from_metres.w);
-    return min(depth, billboard_depth);
+    return clamp(depth, 0.0, billboard_depth);
 }

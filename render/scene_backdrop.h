@@ -1,0 +1,31 @@
+// What lies behind and under the sprites of a scene: sky, ground, grid and shadow blobs.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "core/base/result.h"
+#include "core/sprite/camera.h"
+#include "render/gl/handles.h"
+#include "render/gl/program.h"
+#include "render/scene_renderer.h"
+
+namespace voxprite {
+
+class SceneBackdrop {
+  public:
+    [[nodiscard]] static Result<SceneBackdrop> create();
+    // Onto the bound frame, which is clear. Only the ground writes depth.
+    void draw(const Scene& scene, const Camera& camera);
+
+  private:
+    void drawPlane(const Scene& scene, const Camera& camera);
+    void drawBlob(const PlacedEntity& placed, const Ground& ground, const Camera& camera);
+
+    gl::Program plane_;
+    gl::Program blob_;
+    gl::VertexArray nothing_ = gl::createVertexArray();
+    gl::UniformBuffer cameraBlock_, backdropBlock_, blobBlock_;
+};
+
+}  // namespace voxprite

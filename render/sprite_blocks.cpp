@@ -1,0 +1,157 @@
+#include "render/sprite_blocks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace voxprite {
+
+namespace {
+
+// Screen positions are taken from the pixel centre nearest to the sprite's own centre and pixels
+// from the region's corner, so that single precision is left with small numbers.
+void fillMapping(SpriteBlock& block, const SpriteView& view, const LatticeView& visible,
+                 const Camera& camera) {
+    const double height = camera.viewportPx.y;
+    const Camera::Projected centre = camera.projectFromEye(view.centreFromEyeMetres);
+    const glm::dvec2 nearby =
+        glm::clamp(centre.screenPx, glm::dvec2(0.0), glm::dvec2(camera.viewportPx));
+    const double referenceX = std::floor(nearby.x) + 0.5;
+    const double referenceY = std::floor(height - nearby.y) + 0.5;
+    // (x, y from the reference, upwards) -> (x, y of the screen, downwards)
+    const glm::dmat3 screenFromOffset{
+        1.0, 0.0, 0.0, 0.0, -1.0, 0.0, referenceX, height - referenceY, 1.0};
+    const glm::dmat3 cellFromPixel{1.0,
+                                   0.0,
+                                   0.0,
+                                   0.0,
+                                   1.0,
+                                   0.0,
+                                   -static_cast<double>(visible.first.x),
+                                   -static_cast<double>(visible.first.y),
+                                   1.0};
+    glm::dmat3 map = cellFromPixel * pixelFromScreen(view, camera) * screenFromOffset;
+    // Only the ratio counts; its sign stays.
+    map /= std::max({std::abs(map[0].z) * camera.viewportPx.x,
+                     std::abs(map[1].z) * camera.viewportPx.y, std::abs(map[2].z)});
+    block.screen_reference = glm::vec2(referenceX, referenceY);
+    block.pixel_from_screen = {toVec4(map[0]), toVec4(map[1]), toVec4(map[2])};
+}
+
+// The rectangle of the sprite plane that holds the region, and half a pixel more: which pixel a
+// fragment shows, if any, is for the mapping to say.
+std::array<glm::dvec3, 4> quadCorners(const SpriteView& view, const LatticeView& visible) {
+    std::array<glm::dvec3, 4> corners = quadFromEye(view, visible.first, visible.size);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double x = (i & 1) != 0 ? 0.5 : -0.5;
+        const double y = (i & 2) != 0 ? 0.5 : -0.5;
+        corners[i] += (view.right * x + view.up * y) * view.metresPerPx;
+    }
+    return corners;
+}
+
+std::array<glm::dvec3, 8> boxCorners(const SpriteView& view) {
+    std::array<glm::dvec3, 8> corners;
+    for (std::size_t octant = 0; octant < 8; ++octant) {
+        const glm::dvec3 side((octant & 1) != 0 ? 1.0 : -1.0, (octant & 2) != 0 ? 1.0 : -1.0,
+                              (octant & 4) != 0 ? 1.0 : -1.0);
+        corners[octant] = view.centreFromEyeMetres + view.boxAxes * (side * view.boxHalfMetres);
+    }
+    return corners;
+}
+
+// Every vertex is given the sprite's one depth. Where all lie before the eye they are divided here
+// and carry w = 1, so that every fragment gets exactly that depth: w * (z / w) is not z in floating
+// point.
+void fillCorners(SpriteBlock& block, std::span<const glm::dvec3> cornersFromEye,
+                 const Camera& camera) {
+    const glm::dmat4 clipFromEye = camera.clipFromCameraRelative();
+    std::array<glm::dvec4, 8> clip{};
+    bool allAhead = true;
+    for (std::size_t i = 0; i < cornersFromEye.size(); ++i) {
+        clip[i] = clipFromEye * glm::dvec4(cornersFromEye[i], 1.0);
+        allAhead = allAhead && clip[i].w >= std::min(1.0, camera.nearMetres);
+    }
+    for (std::size_t i = 0; i < cornersFromEye.size(); ++i) {
+        const double divisor = allAhead ? clip[i].w : 1.0;
+        const glm::dvec3 xyw = glm::dvec3(clip[i].x, clip[i].y, clip[i].w) / divisor;
+        const auto w = static_cast<float>(allAhead ? 1.0 : xyw.z);
+        block.corners[i] = glm::vec4(static_cast<float>(xyw.x), static_cast<float>(xyw.y),
+                                     w * block.billboard_depth, w);
+    }
+}
+
+}  // namespace
+
+LatticeBlock latticeBlock(const LatticeView& lattice, const GpuOctree& octree) {
+    const glm::ivec3 centre = octree.size() / 2;
+    const int edge = 1 << octree.maxDepth();
+    LatticeBlock block;
+    block.position_bits = lattice.positionBits;
+    block.lattice_right = lattice.U;
+    block.lattice_up = lattice.V;
+    block.first_x = lattice.first.x;
+    block.first_y = lattice.first.y;
+    for (int axis = 0; axis < 3; ++axis) {
+        block.lattice_origin[axis] = lattice.C[axis] - (centre[axis] << lattice.positionBits);
+        const int start = octree.treeFromVoxel()[axis];
+        const int low = std::clamp(start, 0, edge);
+        const int high = std::clamp(start + octree.size()[axis], 0, edge);
+        const bool mirrored = lattice.D[axis] < 0;
+        block.lattice_direction[axis] = std::abs(lattice.D[axis]);
+        block.mirror_sign[axis] = mirrored ? -1 : 1;
+        block.mirror_bits[axis] = mirrored ? edge - 1 : 0;
+        block.box_low[axis] = mirrored ? edge - high : low;
+        block.box_high[axis] = mirrored ? edge - low : high;
+        const int middle = start + centre[axis];
+        block.box_centre[axis] = mirrored ? edge - middle : middle;
+    }
+    return block;
+}
+
+SpriteBlock bufferBlock(const LatticeView& lattice, const Outline& outline) {
+    SpriteBlock block;
+    // A rectangle over all of the target, whatever its size.
+    block.corners = {glm::vec4(-1, -1, 0, 1), glm::vec4(1, -1, 0, 1), glm::vec4(-1, 1, 0, 1),
+                     glm::vec4(1, 1, 0, 1)};
+    block.pixel_from_screen = {glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0)};
+    block.region_size = lattice.size;
+    block.outline_enabled = outline.enabled ? 1 : 0;
+    block.outline_colour = glm::vec4(glm::vec3(outline.colour), 255.0f) / 255.0f;
+    return block;
+}
+
+SpriteBlock screenBlock(const SpriteView& view, const LatticeView& visible,
+                        const PlacedEntity& placed, const Camera& camera,
+                        const GameProfile& profile) {
+    SpriteBlock block = bufferBlock(visible, profile.outline);
+    block.billboard_depth = camera.reversedDepth(view.depthMetres);
+    block.camera_distance = static_cast<float>(view.planeDepthMetres);
+    block.proxy_is_box = view.proxy == ProxyShape::box ? 1 : 0;
+    fillMapping(block, view, visible, camera);
+    if (view.proxy == ProxyShape::box) {
+        fillCorners(block, boxCorners(view), camera);
+    } else {
+        fillCorners(block, quadCorners(view, visible), camera);
+    }
+
+    const glm::dvec3 size(placed.modelSize);
+    const glm::dvec3 cornerFromMiddle = glm::dvec3(placed.modelSize / 2) - 0.5 * size;
+    const double stepsPerVoxel = std::ldexp(1.0, view.lattice.positionBits);
+    block.depth_per_step =
+        toVec4(view.depthPerVoxelMetres / stepsPerVoxel,
+               view.planeDepthMetres + glm::dot(view.depthPerVoxelMetres, cornerFromMiddle));
+    block.depth_from_metres = glm::vec4(depthFromMetres(camera));
+
+    block.ray_dir_local = glm::vec3(view.ortho.forward);
+    block.camera_up_local = glm::vec3(view.ortho.up);
+    block.voxel_size = static_cast<float>(placed.voxelSizeMetres);
+    block.sigma = static_cast<float>(view.sigmaInForce);
+    block.anchor_to_center = glm::vec3(0.5 * size - placed.anchor);
+    block.light_dir =
+        glm::vec3(glm::transpose(placed.worldFromVoxelAxes) * profile.light.towardLight);
+    return block;
+}
+
+}  // namespace voxprite
