@@ -223,17 +223,27 @@ std::array<glm::dvec3, 4> quadFromEye(const SpriteView& view, glm::ivec2 first, 
 }
 
 LatticeView visibleLattice(const SpriteView& view, const Camera& camera) {
-    LatticeView visible = view.lattice;
     const glm::dmat3 mapping = pixelFromScreen(view, camera);
+    const auto corner = [&](int k) {
+        const glm::ivec2 side{k == 1 || k == 2 ? 1 : 0, k >= 2 ? 1 : 0};
+        return mapping * glm::dvec3(camera.viewportPx * side, 1.0);
+    };
     glm::dvec2 least(std::numeric_limits<double>::infinity());
     glm::dvec2 most = -least;
-    for (int corner = 0; corner < 4; ++corner) {
-        const glm::ivec2 screen = camera.viewportPx * glm::ivec2(corner & 1, corner >> 1);
-        const glm::dvec3 p = mapping * glm::dvec3(screen, 1.0);
-        if (p.z <= 0.0) return visible;  // the plane's horizon is in sight
+    const auto include = [&](glm::dvec3 p) {
         least = glm::min(least, glm::dvec2(p.x, p.y) / p.z);
         most = glm::max(most, glm::dvec2(p.x, p.y) / p.z);
+    };
+    // The screen's outline, clipped where eye rays begin to run away from the plane.
+    constexpr double kHorizon = 1e-12;
+    for (int k = 0; k < 4; ++k) {
+        const glm::dvec3 a = corner(k);
+        const glm::dvec3 b = corner((k + 1) % 4);
+        if (a.z >= kHorizon) include(a);
+        if ((a.z >= kHorizon) != (b.z >= kHorizon))
+            include(a + (b - a) * ((kHorizon - a.z) / (b.z - a.z)));
     }
+    LatticeView visible = view.lattice;
     const glm::dvec2 first(view.lattice.first);
     const glm::dvec2 end(view.lattice.first + view.lattice.size);
     const glm::dvec2 from = glm::clamp(glm::floor(least) - 1.0, first, end);
