@@ -151,7 +151,7 @@ void mergePart(ActionPart& part, ActionPart&& later) {
         [&](auto& edit) {
             auto& next = std::get<std::decay_t<decltype(edit)>>(later);
             if constexpr (std::is_same_v<std::decay_t<decltype(edit)>, VoxelPatch>) {
-                edit.changes = mergedChanges(edit.changes, next.changes);
+                mergeChanges(edit.changes, next.changes);
             } else {
                 edit.after = std::move(next.after);
             }

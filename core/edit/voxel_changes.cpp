@@ -1,7 +1,6 @@
 #include "core/edit/voxel_changes.h"
 
 #include <algorithm>
-#include <iterator>
 #include <tuple>
 
 namespace voxprite {
@@ -40,16 +39,19 @@ void dropUnchanged(std::vector<VoxelChange>& changes) {
     std::erase_if(changes, [](const VoxelChange& change) { return change.before == change.after; });
 }
 
-std::vector<VoxelChange> mergedChanges(const std::vector<VoxelChange>& earlier,
-                                       const std::vector<VoxelChange>& later) {
-    std::vector<VoxelChange> merged;
-    merged.reserve(earlier.size() + later.size());
-    // std::merge is stable: at one position what came earlier stays in front.
-    std::merge(earlier.begin(), earlier.end(), later.begin(), later.end(),
-               std::back_inserter(merged), comesBefore);
-    joinRuns(merged);
-    dropUnchanged(merged);
-    return merged;
+void mergeChanges(std::vector<VoxelChange>& earlier, const std::vector<VoxelChange>& later) {
+    const auto known = static_cast<std::ptrdiff_t>(earlier.size());
+    for (const VoxelChange& change : later) {
+        const auto end = earlier.begin() + known;
+        const auto found = std::lower_bound(earlier.begin(), end, change, comesBefore);
+        if (found != end && found->position == change.position) {
+            found->after = change.after;
+        } else {
+            earlier.push_back(change);
+        }
+    }
+    std::inplace_merge(earlier.begin(), earlier.begin() + known, earlier.end(), comesBefore);
+    dropUnchanged(earlier);
 }
 
 }  // namespace voxprite

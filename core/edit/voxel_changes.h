@@ -11,8 +11,9 @@ namespace voxprite {
 [[nodiscard]] std::vector<VoxelChange> uniqueChanges(std::vector<VoxelChange> changes);
 // Removes what ends as it began.
 void dropUnchanged(std::vector<VoxelChange>& changes);
-// What `earlier` and then `later`, both unique, do together; what is back at its start drops out.
-[[nodiscard]] std::vector<VoxelChange> mergedChanges(const std::vector<VoxelChange>& earlier,
-                                                     const std::vector<VoxelChange>& later);
+// Makes of `earlier` what it and then `later` do together, both in that form; what is back at its
+// start drops out. In place, since a long stroke merges thousands of small changes into a large
+// list.
+void mergeChanges(std::vector<VoxelChange>& earlier, const std::vector<VoxelChange>& later);
 
 }  // namespace voxprite

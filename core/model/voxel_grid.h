@@ -20,8 +20,9 @@ inline constexpr int kMaxCoordinate = 1 << 24;
 }
 
 // A cube of voxels handed out by forEachBlock, aligned to its edge, a power of eight. When `voxels`
-// is null every voxel in the cube is `uniformValue` (never 0); else edgeVoxels is 8 and voxels[(x
-// << 6) | (y << 3) | z] is the value at origin + (x, y, z).
+// is null every voxel in the cube is `uniformValue` (never 0); else edgeVoxels is 8 and the value
+// at origin + (x, y, z) is voxels[(x << 6) | (y << 3) | z]. `voxels` points into the grid itself
+// and stays valid until the grid next changes.
 struct VoxelBlock {
     glm::ivec3 origin{0};
     int edgeVoxels = 8;
@@ -53,7 +54,6 @@ class VoxelGrid {
     // The tight box around the solid voxels; an empty box when there are none. O(blocks).
     [[nodiscard]] IBox bounds() const;
 
-    // `voxels` of a block points into the grid itself: it stays valid until the grid next changes.
     // Every block that holds solid voxels, in a fixed order that depends on the voxels alone.
     void forEachBlock(const std::function<void(const VoxelBlock&)>& visit) const;
     // Every solid voxel, in that order.
