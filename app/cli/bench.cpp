@@ -1,0 +1,101 @@
+// voxprite bench: the performance figures of this machine.
+#include "app/cli/bench/bench.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <sstream>
+
+#include "app/cli/command.h"
+#include "render/gl/context.h"
+
+namespace voxprite::cli {
+namespace {
+
+constexpr std::array<const char*, 5> kParts{"cast", "bake", "update", "frame", "files"};
+
+struct Options {
+    std::vector<std::string> only;
+    bool quick = false;
+    std::optional<std::string> corpus;
+};
+
+std::filesystem::path corpusOf(const Options& options) {
+    if (options.corpus) return *options.corpus;
+    const char* const variable = std::getenv("VOXPRITE_CORPUS");
+    return variable != nullptr ? variable : "";
+}
+
+// One line a figure: "cast: model shell128, kind parallel, ...".
+std::string describe(const Json& json) {
+    std::ostringstream text;
+    text << "machine: " << json["machine"].dump() << '\n';
+    for (const char* part : kParts) {
+        if (!json.contains(part)) continue;
+        for (const Json& figure : json[part]) {
+            text << part << ':';
+            for (const auto& [key, value] : figure.items()) {
+                text << ' ' << key << ' ';
+                if (value.is_string())
+                    text << value.get<std::string>();
+                else if (value.is_number_float())
+                    text << value.get<double>();
+                else
+                    text << value;
+            }
+            text << '\n';
+        }
+    }
+    return text.str();
+}
+
+Result<Report> runBench(const Options& options) {
+    const auto wanted = [&](const char* part) {
+        return options.only.empty() || std::count(options.only.begin(), options.only.end(), part);
+    };
+    const bench::Effort effort{options.quick};
+    const Result<std::vector<bench::BenchModel>> models =
+        bench::benchModels(options.quick, corpusOf(options));
+    if (!models) return Failure(models.error());
+
+    Report report;
+    report.json["machine"] = bench::machine();
+    report.json["machine"]["gl"] = nullptr;
+    // OpenGL is not needed for the other parts, and may be missing on the machine.
+    Result<gl::HeadlessContext> context = gl::HeadlessContext::create();
+    if (context) {
+        report.json["machine"]["gl"] = gl::driverInfo().renderer + ", " + gl::driverInfo().version;
+    } else if (wanted("frame")) {
+        return Failure(context.error());
+    }
+    using Part = Result<Json> (*)(const std::vector<bench::BenchModel>&, const bench::Effort&);
+    constexpr std::array<Part, 5> run{bench::benchCast, bench::benchBake, bench::benchUpdate,
+                                      bench::benchFrame, bench::benchFiles};
+    for (std::size_t k = 0; k < kParts.size(); ++k) {
+        if (!wanted(kParts[k])) continue;
+        Result<Json> figures = run[k](*models, effort);
+        if (!figures) return Failure(figures.error());
+        report.json[kParts[k]] = std::move(*figures);
+    }
+    report.text = describe(report.json);
+    return report;
+}
+
+}  // namespace
+
+void addBench(CLI::App& app, Command& command) {
+    CLI::App& sub = *app.add_subcommand("bench", "Measure this machine");
+    auto options = std::make_shared<Options>();
+    sub.add_option("--only", options->only, "Only these parts: cast, bake, update, frame, files")
+        ->delimiter(',')
+        ->check(CLI::IsMember(std::vector<std::string>(kParts.begin(), kParts.end())))
+        ->type_name("PART,...");
+    sub.add_flag("--quick", options->quick, "Smaller models and fewer runs: under 30 seconds");
+    sub.add_option("--corpus", options->corpus,
+                   "A folder of real models beside the samples (else VOXPRITE_CORPUS)")
+        ->type_name("DIR");
+    addJsonFlag(sub, command);
+    runs(sub, command, options, runBench);
+}
+
+}  // namespace voxprite::cli

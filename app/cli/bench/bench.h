@@ -1,0 +1,54 @@
+// The performance figures of this machine, part by part. Every figure is measured here and now: the
+// median of repeated runs, after one that is not counted.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/model/document.h"
+#include "core/model/voxel_grid.h"
+#include "core/svo/octree.h"
+
+namespace voxprite::bench {
+
+using Json = nlohmann::ordered_json;
+
+struct BenchModel {
+    std::string name;            // a path without its ending, or that of a made one: "shell128"
+    std::filesystem::path file;  // empty for made ones
+    Document document;           // of files
+    VoxelGrid voxels;            // of the entity's first frame
+    Octree octree;               // baked from them
+};
+
+// Made models, then the samples, then those of `corpus` (empty: none). With `quick` smaller made
+// ones, and few files.
+[[nodiscard]] Result<std::vector<BenchModel>> benchModels(bool quick,
+                                                          const std::filesystem::path& corpus);
+
+struct Effort {
+    bool quick = false;
+    [[nodiscard]] double budgetMs() const { return quick ? 40.0 : 300.0; }
+    [[nodiscard]] int minRuns() const { return quick ? 3 : 5; }
+};
+
+// The median time of `run`, in milliseconds: run once uncounted, then minRuns() times at least,
+// until budgetMs() are used up.
+[[nodiscard]] double medianMs(const Effort& effort, const std::function<void()>& run);
+
+// Each returns a list of figures, as the command line's contract has them. A rival that does not
+// give the same result as voxprite is a failure, or its disagreement is in the figure
+// (`differing`).
+[[nodiscard]] Json machine();  // without "gl"
+[[nodiscard]] Result<Json> benchCast(const std::vector<BenchModel>& models, const Effort& effort);
+[[nodiscard]] Result<Json> benchBake(const std::vector<BenchModel>& models, const Effort& effort);
+[[nodiscard]] Result<Json> benchUpdate(const std::vector<BenchModel>& models, const Effort& effort);
+[[nodiscard]] Result<Json> benchFiles(const std::vector<BenchModel>& models, const Effort& effort);
+// Needs a current GL context.
+[[nodiscard]] Result<Json> benchFrame(const std::vector<BenchModel>& models, const Effort& effort);
+
+}  // namespace voxprite::bench

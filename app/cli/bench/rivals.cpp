@@ -1,0 +1,207 @@
+#include "app/cli/bench/rivals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+
+namespace voxprite::bench {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+// Where the ray is inside the box [0, size]; tIn > tOut when it never is.
+struct Span {
+    double tIn, tOut;
+};
+Span clip(const Ray& ray, glm::ivec3 size) {
+    Span span{ray.tMin, kNever};
+    for (int axis = 0; axis < 3; ++axis) {
+        if (ray.direction[axis] == 0.0) {
+            if (ray.origin[axis] < 0.0 || ray.origin[axis] >= size[axis]) return {1.0, 0.0};
+            continue;
+        }
+        const double a = -ray.origin[axis] / ray.direction[axis];
+        const double b = (size[axis] - ray.origin[axis]) / ray.direction[axis];
+        span.tIn = std::max(span.tIn, std::min(a, b));
+        span.tOut = std::min(span.tOut, std::max(a, b));
+    }
+    return span;
+}
+
+glm::ivec3 cellAt(const Ray& ray, double t, glm::ivec3 size) {
+    return glm::clamp(glm::ivec3(glm::floor(ray.origin + ray.direction * t)), glm::ivec3(0),
+                      size - 1);
+}
+
+// The largest empty or solid cube of the tree around a cell.
+struct Leaf {
+    std::uint8_t material = 0;
+    int edge = 1;
+};
+Leaf leafAround(const OctreeView& octree, glm::ivec3 cell) {
+    std::uint32_t word = octree.nodes[0];
+    for (int bit = octree.maxDepth - 1;; --bit) {
+        const auto octant = static_cast<unsigned>(
+            ((cell.z >> bit) & 1) << 2 | ((cell.y >> bit) & 1) << 1 | ((cell.x >> bit) & 1));
+        if (node::isBrick(word)) {
+            return {payloadMaterial(octree.payloads[node::payloadIndex(word)], octant), 1};
+        }
+        if (!node::isInternal(word)) return {static_cast<std::uint8_t>(word), 2 << bit};
+        if (!node::hasChild(word, octant)) return {0, 1 << bit};
+        word = octree.nodes[node::childIndex(word, octant)];
+    }
+}
+
+}  // namespace
+
+DenseGrid::DenseGrid(const OctreeView& octree) : size_(octree.size) {
+    voxels_.resize(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
+                   static_cast<std::size_t>(size_.z));
+    std::size_t at = 0;
+    for (int z = 0; z < size_.z; ++z) {
+        for (int y = 0; y < size_.y; ++y) {
+            for (int x = 0; x < size_.x; ++x) voxels_[at++] = materialAt(octree, {x, y, z});
+        }
+    }
+}
+
+std::uint8_t DenseGrid::cast(const Ray& ray) const {
+    const Span span = clip(ray, size_);
+    if (span.tIn > span.tOut) return 0;
+    glm::ivec3 cell = cellAt(ray, span.tIn, size_);
+    const std::ptrdiff_t stride[3] = {1, size_.x, static_cast<std::ptrdiff_t>(size_.x) * size_.y};
+    std::ptrdiff_t at = cell.x + cell.y * stride[1] + cell.z * stride[2];
+    glm::dvec3 tNext(kNever);
+    glm::dvec3 tStep(kNever);
+    glm::ivec3 step(0);
+    for (int axis = 0; axis < 3; ++axis) {
+        const double d = ray.direction[axis];
+        if (d == 0.0) continue;
+        step[axis] = d > 0.0 ? 1 : -1;
+        tStep[axis] = std::abs(1.0 / d);
+        tNext[axis] = (cell[axis] + (d > 0.0 ? 1 : 0) - ray.origin[axis]) / d;
+    }
+    while (true) {
+        if (const std::uint8_t material = voxels_[static_cast<std::size_t>(at)]) return material;
+        int axis = tNext.x <= tNext.y ? 0 : 1;
+        if (tNext.z < tNext[axis]) axis = 2;
+        cell[axis] += step[axis];
+        if (cell[axis] < 0 || cell[axis] >= size_[axis]) return 0;
+        at += step[axis] * stride[axis];
+        tNext[axis] += tStep[axis];
+    }
+}
+
+std::uint8_t castByRestart(const OctreeView& octree, const Ray& ray) {
+    const Span span = clip(ray, octree.size);
+    if (span.tIn > span.tOut) return 0;
+    glm::ivec3 cell = cellAt(ray, span.tIn, octree.size);
+    while (true) {
+        const Leaf leaf = leafAround(octree, cell + octree.treeFromVoxel);
+        if (leaf.material != 0) return leaf.material;
+        // Out of the empty cube through its nearest far face. The cell on that axis is exact, so
+        // the walk always moves on.
+        const glm::ivec3 low =
+            (cell + octree.treeFromVoxel) / leaf.edge * leaf.edge - octree.treeFromVoxel;
+        double tExit = kNever;
+        int exitAxis = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double d = ray.direction[axis];
+            if (d == 0.0) continue;
+            const int face = low[axis] + (d > 0.0 ? leaf.edge : 0);
+            const double t = (face - ray.origin[axis]) / d;
+            if (t < tExit) {
+                tExit = t;
+                exitAxis = axis;
+            }
+        }
+        const glm::dvec3 exit = ray.origin + ray.direction * tExit;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (axis == exitAxis) {
+                cell[axis] = ray.direction[axis] > 0.0 ? low[axis] + leaf.edge : low[axis] - 1;
+            } else {
+                cell[axis] = std::clamp(static_cast<int>(std::floor(exit[axis])), low[axis],
+                                        low[axis] + leaf.edge - 1);
+            }
+            if (cell[axis] < 0 || cell[axis] >= octree.size[axis]) return 0;
+        }
+    }
+}
+
+namespace {
+
+// A node before it has a place in the array.
+struct Building {
+    std::uint32_t word = 0;  // of leaves; payload of bricks
+    std::uint64_t payload = 0;
+    std::vector<Building> children;  // eight of an internal node
+};
+
+Building buildCell(const VoxelGrid::Reader& voxels, glm::ivec3 corner, int edge) {
+    Building built;
+    if (edge == 2) {
+        for (unsigned octant = 0; octant < 8; ++octant) {
+            const glm::ivec3 offset(octant & 1, octant >> 1 & 1, octant >> 2);
+            built.payload |= std::uint64_t{voxels.get(corner + offset)} << (8 * octant);
+        }
+        const auto first = static_cast<std::uint8_t>(built.payload);
+        const bool uniform = built.payload == first * 0x0101'0101'0101'0101ull;
+        built.word = uniform ? node::uniform(first) : node::kBrick;
+        return built;
+    }
+    for (int octant = 0; octant < 8; ++octant) {
+        const glm::ivec3 offset(octant & 1, octant >> 1 & 1, octant >> 2);
+        built.children.push_back(buildCell(voxels, corner + offset * (edge / 2), edge / 2));
+    }
+    const std::uint32_t word = built.children[0].word;
+    const bool alike = std::all_of(
+        built.children.begin(), built.children.end(),
+        [&](const Building& child) { return child.children.empty() && child.word == word; });
+    if (alike && (node::isEmpty(word) || node::isUniform(word))) {
+        built.word = word;
+        built.children.clear();
+    }
+    return built;
+}
+
+}  // namespace
+
+Result<Octree> bakeNaively(const VoxelGrid& voxels) {
+    const IBox bounds = voxels.bounds();
+    Octree octree;
+    if (bounds.empty()) return octree;
+    octree.size = bounds.size();
+    octree.origin = bounds.min;
+    octree.maxDepth = depthForSize(octree.size);
+    const VoxelGrid::Reader reader(voxels);
+    const Building root = buildCell(reader, bounds.min, 1 << octree.maxDepth);
+    // Breadth first: the queue holds the nodes in the order of the array.
+    std::vector<const Building*> queue{&root};
+    octree.nodes.assign(1, 0);
+    for (std::size_t k = 0; k < queue.size(); ++k) {
+        const Building& built = *queue[k];
+        if (built.children.empty()) {
+            octree.nodes[k] = built.word;
+            if (built.word == node::kBrick) {
+                octree.nodes[k] = node::brick(static_cast<std::uint32_t>(octree.payloads.size()));
+                octree.payloads.push_back(built.payload);
+            }
+            continue;
+        }
+        const auto base = static_cast<std::uint32_t>(queue.size());
+        std::uint32_t mask = 0;
+        for (unsigned octant = 0; octant < 8; ++octant) {
+            const Building& child = built.children[octant];
+            if (child.children.empty() && child.word == 0) continue;
+            mask |= 1u << octant;
+            queue.push_back(&child);
+        }
+        octree.nodes.resize(queue.size());
+        octree.nodes[k] = node::internal(base, mask);
+    }
+    if (octree.nodes.size() > kMaxOctreeNodes) return fail("more nodes than an octree can hold");
+    return octree;
+}
+
+}  // namespace voxprite::bench

@@ -1,0 +1,41 @@
+// Other ways to cast a ray and to bake an octree, to measure ours against.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/model/voxel_grid.h"
+#include "core/svo/octree.h"
+
+namespace voxprite::bench {
+
+// A ray in voxels from the minimum corner; `direction` of any length. Only t >= tMin counts.
+struct Ray {
+    glm::dvec3 origin{0.0};
+    glm::dvec3 direction{0.0, 1.0, 0.0};
+    double tMin = 0.0;
+};
+
+// Every voxel a byte, walked cell by cell (Amanatides & Woo 1987).
+class DenseGrid {
+  public:
+    static constexpr std::uint64_t kMaxVoxels = std::uint64_t{1} << 28;
+    // The size of the octree must hold at most kMaxVoxels.
+    explicit DenseGrid(const OctreeView& octree);
+    [[nodiscard]] std::uint8_t cast(const Ray& ray) const;  // the material hit, 0 for none
+
+  private:
+    glm::ivec3 size_;
+    std::vector<std::uint8_t> voxels_;
+};
+
+// The octree, entered anew from its root for every node that the ray passes (after the restart
+// method of Foley & Sugerman 2005 for k-d trees).
+[[nodiscard]] std::uint8_t castByRestart(const OctreeView& octree, const Ray& ray);
+
+// The canonical octree by reading every voxel of the root's cube, cell by cell.
+[[nodiscard]] Result<Octree> bakeNaively(const VoxelGrid& voxels);
+
+}  // namespace voxprite::bench

@@ -1,0 +1,58 @@
+// voxprite convert IN -o OUT: from any format that is read to any that is written, by their
+// endings.
+#include <filesystem>
+
+#include "app/cli/command.h"
+#include "app/cli/source.h"
+
+namespace voxprite::cli {
+namespace {
+
+struct Options {
+    std::string input, output;
+    std::optional<std::string> profile;
+};
+
+Result<Report> convert(const Options& options) {
+    // Before any work: is the output of a kind that can be written?
+    const Result<Format> format = formatOf(options.output);
+    if (!format) throw CLI::ValidationError("--output", format.error().describe());
+    const Result<LoadedDocument> loaded = loadDocument(options.input);
+    if (!loaded) return Failure(loaded.error());
+    const Result<GameProfile> profile = profileForSaving(options.profile, loaded->document);
+    if (!profile) return Failure(profile.error());
+    if (Status saved = saveDocument(options.output, loaded->document, *profile); !saved) {
+        return Failure(saved.error());
+    }
+    Json warnings = Json::array();
+    for (const std::string& warning : loaded->warnings) warnings.push_back(textJson(warning));
+    const auto bytes = std::filesystem::file_size(options.output);
+    Report report;
+    report.json = {{"input", textJson(options.input)},
+                   {"from", nameOf(loaded->format)},
+                   {"output", textJson(options.output)},
+                   {"to", nameOf(*format)},
+                   {"bytes", bytes},
+                   {"warnings", std::move(warnings)}};
+    report.text = options.output + ": " + std::to_string(bytes) + " bytes\n";
+    return report;
+}
+
+}  // namespace
+
+void addConvert(CLI::App& app, Command& command) {
+    CLI::App& sub =
+        *app.add_subcommand("convert", "Convert between .vox, .voxprite and .svo by file ending");
+    auto options = std::make_shared<Options>();
+    sub.add_option("IN", options->input, "The file to read")->required();
+    sub.add_option("-o,--output", options->output, "The file to write")
+        ->required()
+        ->type_name("OUT");
+    sub.add_option("--profile", options->profile,
+                   "The game profile (JSON) whose values are recorded as authored")
+        ->type_name("FILE");
+    addJsonFlag(sub, command);
+    runs(sub, command, options, convert);
+}
+
+}  // namespace voxprite::cli

@@ -1,0 +1,49 @@
+// voxprite [edit] [FILE...]: the editor.
+#include "app/cli/arguments.h"
+#include "app/cli/command.h"
+#include "app/editor/editor.h"
+
+namespace voxprite::cli {
+namespace {
+
+Result<Report> edit(const EditorOptions& options) {
+    if (Status status = runEditor(options); !status) return Failure(status.error());
+    return Report{};
+}
+
+}  // namespace
+
+void addEdit(CLI::App& app, Command& command) {
+    CLI::App& sub = *app.add_subcommand("edit", "Open the editor (the default command)");
+    auto options = std::make_shared<EditorOptions>();
+    sub.add_option_function<std::vector<std::string>>(
+        "FILE",
+        [options](const std::vector<std::string>& files) {
+            options->files.assign(files.begin(), files.end());
+        },
+        "Models to open: .vox, .voxprite or .svo");
+    const auto addPath = [&](const char* name, std::optional<std::filesystem::path>& target,
+                             const char* form, const char* description) {
+        sub.add_option_function<std::string>(
+               name, [&target](const std::string& path) { target = path; }, description)
+            ->type_name(form);
+    };
+    addPath("--profile", options->profile, "FILE", "The game profile (JSON) to work with");
+    addPath("--screenshot", options->screenshot, "OUT.png",
+            "Write the window's content after --frames frames, then quit");
+    sub.add_option("--frames", options->frames, "Frames before the screenshot")
+        ->check(CLI::Range(1, 100000));
+    addPath("--play", options->playScript, "SCRIPT", "Replay recorded input (JSON lines)");
+    addPath("--record", options->record, "SCRIPT", "Record the input of this session");
+    addPath("--dump-layout", options->layoutDump, "FILE",
+            "Write where widgets lie on screen, for tests");
+    addParsed(sub, "--window", "WxH", "The window's size at content scale 1", sizeFrom,
+              [options](glm::ivec2 size) { options->windowPx = size; });
+    sub.add_option_function<double>(
+           "--content-scale", [options](double scale) { options->contentScale = scale; },
+           "Pixels a unit of the layout, instead of the display's own")
+        ->check(CLI::Range(0.5, 4.0));
+    runs(sub, command, options, edit);
+}
+
+}  // namespace voxprite::cli

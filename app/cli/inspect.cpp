@@ -1,0 +1,140 @@
+// voxprite inspect FILE: what is in a file.
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "app/cli/command.h"
+#include "app/cli/source.h"
+#include "core/model/entity_voxels.h"
+#include "core/svo/bake.h"
+
+namespace voxprite::cli {
+namespace {
+
+struct Options {
+    std::string file;
+};
+
+// Model is shown by this node, if by any: the first one in the scene.
+const SceneNode* nodeShowing(const Document& document, int model) {
+    for (const SceneNode& node : document.nodes) {
+        for (const ModelKey& key : node.models) {
+            if (key.model == model) return &node;
+        }
+    }
+    return nullptr;
+}
+
+std::uint64_t coloursIn(const VoxelGrid& voxels) {
+    std::array<bool, 256> used{};
+    voxels.forEachBlock([&](const VoxelBlock& block) {
+        if (block.voxels == nullptr) {
+            used[block.uniformValue] = true;
+        } else {
+            for (int k = 0; k < 512; ++k) used[block.voxels[k]] = true;
+        }
+    });
+    used[0] = false;
+    return static_cast<std::uint64_t>(std::count(used.begin(), used.end(), true));
+}
+
+Json sizeJson(glm::ivec3 size) {
+    return {size.x, size.y, size.z};
+}
+
+Result<Json> modelJson(const Document& document, int index) {
+    const VoxelGrid& voxels = document.models[static_cast<std::size_t>(index)].voxels;
+    const Result<Octree> octree = bake(voxels);
+    if (!octree) return Failure(octree.error());
+    const SceneNode* const node = nodeShowing(document, index);
+    return Json{{"name", textJson(node != nullptr ? node->name : std::string())},
+                {"size", sizeJson(octree->size)},
+                {"voxels", voxels.solidCount()},
+                {"colours", coloursIn(voxels)},
+                {"frames", node != nullptr ? node->models.size() : 1},
+                {"svo",
+                 {{"max_depth", octree->maxDepth},
+                  {"nodes", octree->nodes.size()},
+                  {"payloads", octree->payloads.size()},
+                  {"bytes", octree->nodes.size() * 4 + octree->payloads.size() * 8}}}};
+}
+
+bool isSeen(const std::vector<Instance>& visible, int node) {
+    return std::any_of(visible.begin(), visible.end(),
+                       [node](const Instance& instance) { return instance.node == node; });
+}
+
+Json instancesJson(const Document& document, const std::vector<int>& models) {
+    const std::vector<Instance> visible = instancesOf(document, 0);
+    Json instances = Json::array();
+    for (const Instance& instance : instancesOf(document, 0, true)) {
+        const auto listed = std::find(models.begin(), models.end(), instance.model);
+        const SceneNode& node = document.nodes[static_cast<std::size_t>(instance.node)];
+        instances.push_back(
+            {{"model", listed != models.end() ? Json(listed - models.begin()) : Json(nullptr)},
+             {"name", textJson(node.name)},
+             {"hidden", !isSeen(visible, instance.node)}});
+    }
+    return instances;
+}
+
+std::string describe(const Json& json, const std::string& file) {
+    std::ostringstream text;
+    text << file << ": " << json["format"].get<std::string>() << ", " << json["models"].size()
+         << " model(s), " << json["instances"].size() << " object(s), " << json["frames"]
+         << " frame(s)\n";
+    int index = 0;
+    for (const Json& model : json["models"]) {
+        const Json& size = model["size"];
+        const Json& svo = model["svo"];
+        text << "  " << index++ << "  " << size[0] << " x " << size[1] << " x " << size[2] << "  "
+             << model["voxels"] << " voxels, " << model["colours"] << " colours; octree: depth "
+             << svo["max_depth"] << ", " << svo["nodes"] << " nodes, " << svo["payloads"]
+             << " payloads, " << svo["bytes"] << " bytes";
+        if (model["name"] != "") text << "  \"" << model["name"].get<std::string>() << '"';
+        if (model["frames"] > 1) text << "  (one of " << model["frames"] << " frames)";
+        text << '\n';
+    }
+    for (const Json& warning : json["warnings"]) {
+        text << "  warning: " << warning.get<std::string>() << '\n';
+    }
+    return text.str();
+}
+
+Result<Report> inspect(const Options& options) {
+    const Result<LoadedDocument> loaded = loadDocument(options.file);
+    if (!loaded) return Failure(loaded.error());
+    const Document& document = loaded->document;
+    const std::vector<int> sources = sourceModels(document);
+    Json models = Json::array();
+    for (const int index : sources) {
+        Result<Json> model = inFile(modelJson(document, index), options.file);
+        if (!model) return Failure(model.error());
+        models.push_back(std::move(*model));
+    }
+    Json warnings = Json::array();
+    for (const std::string& warning : loaded->warnings) warnings.push_back(textJson(warning));
+
+    const IBox bounds = entityBounds(document);
+    Report report;
+    report.json = {{"format", nameOf(loaded->format)},
+                   {"models", std::move(models)},
+                   {"instances", instancesJson(document, sources)},
+                   {"warnings", std::move(warnings)},
+                   {"frames", frameCount(document)},
+                   {"entity_size", sizeJson(bounds.empty() ? glm::ivec3(0) : bounds.size())}};
+    report.text = describe(report.json, options.file);
+    return report;
+}
+
+}  // namespace
+
+void addInspect(CLI::App& app, Command& command) {
+    CLI::App& sub = *app.add_subcommand("inspect", "Say what is in a file");
+    auto options = std::make_shared<Options>();
+    sub.add_option("FILE", options->file, "A model: .vox, .voxprite or .svo")->required();
+    addJsonFlag(sub, command);
+    runs(sub, command, options, inspect);
+}
+
+}  // namespace voxprite::cli

@@ -1,0 +1,91 @@
+// The command line: chooses the subcommand, prints what it returns, turns failures into one line
+// on stderr and an exit status (0 success, 1 failure, 2 wrong usage).
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <vector>
+
+#include "app/cli/arguments.h"
+#include "app/cli/command.h"
+#include "core/io/json_text.h"
+
+namespace voxprite::cli {
+namespace {
+
+constexpr int kFailure = 1;
+constexpr int kWrongUsage = 2;
+
+bool print(const std::string& text) {
+    return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() &&
+           std::fflush(stdout) == 0;
+}
+
+Json errorJson(const Error& error) {
+    Json json = Json::object();
+    if (!error.file.empty()) json["file"] = textJson(error.file);
+    if (error.offset) json["offset"] = *error.offset;
+    if (error.line) json["line"] = *error.line;
+    if (error.column) json["column"] = *error.column;
+    json["message"] = textJson(error.message);
+    return {{"error", std::move(json)}};
+}
+
+int reportFailure(const std::string& prefix, const Error& error, bool json, int status) {
+    if (json) print(errorJson(error).dump(2) + "\n");
+    std::fprintf(stderr, "%s: %s\n", prefix.c_str(), error.describe().c_str());
+    return status;
+}
+
+int runCommandLine(std::vector<std::string> arguments) {
+    // Known before parsing, so that wrong usage is reported as JSON, too.
+    const bool wantsJson =
+        std::find(arguments.begin(), arguments.end(), "--json") != arguments.end();
+
+    CLI::App app("Voxel models as outlined pixel-art sprites: edit, look, export.", "voxprite");
+    app.set_version_flag("--version", "voxprite " VOXPRITE_VERSION);
+    app.require_subcommand(1);
+    app.footer("voxprite COMMAND --help describes a command; a FILE alone opens the editor.");
+    Command command;
+    addEdit(app, command);
+    addInspect(app, command);
+    addConvert(app, command);
+    addExport(app, command);
+    addRender(app, command);
+    addCompare(app, command);
+    addBench(app, command);
+
+    std::string prefix = "voxprite";
+    try {
+        std::vector<std::string> parsed = normalisedArguments(app, std::move(arguments));
+        std::reverse(parsed.begin(), parsed.end());  // CLI11 takes them from the back
+        app.parse(std::move(parsed));
+        if (!app.get_subcommands().empty()) {
+            prefix += " " + app.get_subcommands().front()->get_name();
+        }
+        const Result<Report> report = command.run();
+        if (!report) return reportFailure(prefix, report.error(), command.json, kFailure);
+        if (!print(command.json ? report->json.dump(2) + "\n" : report->text)) {
+            return reportFailure(prefix, fail("cannot write to standard output").value(), false,
+                                 kFailure);
+        }
+        return 0;
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+        if (!app.get_subcommands().empty()) {
+            prefix = "voxprite " + app.get_subcommands().front()->get_name();
+        }
+        const std::string reason = std::string(error.what()) + " (see " + prefix + " --help)";
+        return reportFailure(prefix, fail(reason).value(), wantsJson, kWrongUsage);
+    } catch (const std::exception& error) {
+        return reportFailure(prefix, fail(error.what()).value(), wantsJson, kFailure);
+    }
+}
+
+}  // namespace
+}  // namespace voxprite::cli
+
+int main(int argc, char** argv) {
+    return voxprite::cli::runCommandLine({argv + std::min(argc, 1), argv + argc});
+}

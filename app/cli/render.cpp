@@ -1,0 +1,108 @@
+// voxprite render IN -o OUT.png: a sprite as the game shows it, or the voxels themselves.
+#include <cstdio>
+
+#include "app/cli/command.h"
+#include "app/cli/lattice_json.h"
+#include "app/cli/render_shot.h"
+#include "core/io/png.h"
+
+namespace voxprite::cli {
+namespace {
+
+const char* nameOfUnseen(Unseen reason) {
+    switch (reason) {
+        case Unseen::emptyModel:
+            return "empty_model";
+        case Unseen::cameraInside:
+            return "camera_inside";
+        case Unseen::behindCamera:
+            return "behind_camera";
+    }
+    return "unknown";
+}
+
+Json reportJson(const RenderOptions& options, const Shot& shot, const Drawn& drawn,
+                const Times& times) {
+    Json json{{"backend", nameOf(options.backend)}, {"mode", nameOf(options.mode)}};
+    if (!drawn.driver.empty()) json["gl"] = drawn.driver;
+    if (drawn.buffer) {
+        const SpriteBuffer& buffer = *drawn.buffer;
+        json["sigma_in_force"] = shot.sigmaInForce;
+        if (shot.unseen) json["unseen"] = nameOfUnseen(*shot.unseen);
+        json["buffer"] = {{"size", {buffer.size.x, buffer.size.y}},
+                          {"sha256", buffer.sha256()},
+                          {"ids_sha256", buffer.idsSha256()},
+                          {"opaque", buffer.opaqueCount()},
+                          {"outline", buffer.outlineCount()}};
+        json["lattice"] = latticeJson(shot.lattice);
+    }
+    const glm::ivec2 size = shot.latticeGiven && drawn.buffer ? drawn.buffer->size : options.sizePx;
+    json["image"] = {{"size", {size.x, size.y}}};
+    Json ms = Json::object();
+    for (const auto& [name, milliseconds] : times) ms[name] = milliseconds;
+    json["ms"] = std::move(ms);
+    return json;
+}
+
+std::string describe(const RenderOptions& options, const Shot& shot, const Drawn& drawn) {
+    std::string text;
+    if (options.output) text += *options.output + "\n";
+    if (options.buffer) text += *options.buffer + "\n";
+    if (!drawn.buffer) return text;
+    char line[256];
+    std::snprintf(line, sizeof line,
+                  "sprite %d x %d, %llu opaque, %llu outline, sigma in force %g%s\n",
+                  drawn.buffer->size.x, drawn.buffer->size.y,
+                  static_cast<unsigned long long>(drawn.buffer->opaqueCount()),
+                  static_cast<unsigned long long>(drawn.buffer->outlineCount()), shot.sigmaInForce,
+                  shot.unseen ? ", not seen" : "");
+    return text + line;
+}
+
+Status writePictures(const RenderOptions& options, const Drawn& drawn) {
+    if (options.output) {
+        if (Status s = inFile(writePngFile(*options.output, *drawn.image), *options.output); !s) {
+            return s;
+        }
+    }
+    if (!options.buffer) return {};
+    if (drawn.buffer->size.x == 0) {
+        return failInFile(*options.buffer, "the sprite is not seen, so it has no buffer");
+    }
+    return inFile(writePngFile(*options.buffer, drawn.buffer->image()), *options.buffer);
+}
+
+Result<Report> render(const RenderOptions& options) {
+    const bool sprite = options.mode != RenderMode::voxels;
+    if (options.buffer && !sprite) {
+        throw CLI::ValidationError("--buffer", "mode voxels has no sprite buffer");
+    }
+    Times times;
+    const Result<Shot> shot = makeShot(options, times);
+    if (!shot) return Failure(shot.error());
+    const bool wantImage = options.output.has_value();
+    const auto draw = options.backend == Backend::gl ? drawOnGl : drawOnCpu;
+    const Result<Drawn> drawn = draw(*shot, options.mode, wantImage, times);
+    if (!drawn) return Failure(inFile(Result<Drawn>(drawn), options.input).error());
+    if (Status written = writePictures(options, *drawn); !written) {
+        return Failure(written.error());
+    }
+    return Report{reportJson(options, *shot, *drawn, times), describe(options, *shot, *drawn)};
+}
+
+}  // namespace
+
+void addRender(CLI::App& app, Command& command) {
+    CLI::App& sub = *app.add_subcommand("render", "Draw a model as the game's sprite");
+    auto options = std::make_shared<RenderOptions>();
+    addRenderOptions(sub, *options);
+    addJsonFlag(sub, command);
+    sub.callback([&command, options] {
+        if (!options->output && !options->buffer && !command.json) {
+            throw CLI::RequiredError("-o OUT.png, --buffer OUT.png or --json");
+        }
+        command.run = [options] { return render(*options); };
+    });
+}
+
+}  // namespace voxprite::cli

@@ -1,0 +1,167 @@
+#include "app/cli/render_options.h"
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <array>
+#include <utility>
+
+#include "app/cli/arguments.h"
+#include "core/io/json_value.h"
+#include "core/io/profile_json.h"
+
+namespace voxprite::cli {
+namespace {
+
+constexpr std::array kModes{std::pair{RenderMode::sprite, "sprite"},
+                            std::pair{RenderMode::singlePass, "single_pass"},
+                            std::pair{RenderMode::voxels, "voxels"}};
+constexpr std::array kBackends{std::pair{Backend::cpu, "cpu"}, std::pair{Backend::gl, "gl"}};
+
+template <class Table, class E>
+const char* nameIn(const Table& table, E value) {
+    for (const auto& [entry, name] : table) {
+        if (entry == value) return name;
+    }
+    return "unknown";
+}
+
+template <class Table>
+auto valueIn(const Table& table, std::string_view text) {
+    std::optional<std::remove_cvref_t<decltype(table[0].first)>> value;
+    for (const auto& [entry, name] : table) {
+        if (text == name) value = entry;
+    }
+    return value;
+}
+
+std::optional<RenderMode> modeFrom(std::string_view text) {
+    return valueIn(kModes, text);
+}
+std::optional<Backend> backendFrom(std::string_view text) {
+    return valueIn(kBackends, text);
+}
+
+template <class E>
+std::optional<E> optionalOf(const Result<E>& result) {
+    return result ? std::optional(*result) : std::nullopt;
+}
+std::optional<ViewRule> viewFrom(std::string_view t) {
+    return optionalOf(viewRuleNamed(t));
+}
+std::optional<Registration> registrationFrom(std::string_view t) {
+    return optionalOf(registrationNamed(t));
+}
+std::optional<ProxyShape> proxyFrom(std::string_view t) {
+    return optionalOf(proxyShapeNamed(t));
+}
+std::optional<DepthRule> depthFrom(std::string_view t) {
+    return optionalOf(depthRuleNamed(t));
+}
+
+// "auto" leaves the number open.
+struct AutoNumber {
+    std::optional<double> number;
+};
+std::optional<AutoNumber> autoNumberFrom(std::string_view text) {
+    if (text == "auto") return AutoNumber{};
+    const std::optional<double> number = numberFrom(text);
+    return number ? std::optional(AutoNumber{number}) : std::nullopt;
+}
+
+// An option that is stored as it is parsed.
+template <class T, class Target>
+void add(CLI::App& app, const std::string& name, const std::string& form,
+         const std::string& description, std::optional<T> (*parse)(std::string_view),
+         Target& target) {
+    addParsed(app, name, form, description, parse, [&target](const T& value) { target = value; });
+}
+
+void addCameraOptions(CLI::App& app, RenderOptions& o) {
+    add(app, "--size", "WxH", "The picture's size in pixels (512x512)", sizeFrom, o.sizePx);
+    add(app, "--yaw", "DEGREES", "Carries the eye toward +X; at 0 it is on the model's -Y side",
+        numberFrom, o.yawDegrees);
+    add(app, "--pitch", "DEGREES", "Raises the eye", numberFrom, o.pitchDegrees);
+    add(app, "--roll", "DEGREES", "Turns the camera clockwise", numberFrom, o.rollDegrees);
+    add(app, "--fov", "DEGREES", "Vertical field of view (45)", numberFrom, o.fovDegrees);
+    add(app, "--distance", "METRES", "From the eye to the model's centre (else the model fits)",
+        numberFrom, o.distanceMetres);
+    addParsed(app, "--ortho", "[METRES]",
+              "Orthographic; the picture's height in metres (else the model fits)", autoNumberFrom,
+              [&o](const AutoNumber& height) {
+                  o.orthographic = true;
+                  o.orthographicHeightMetres = height.number;
+              });
+}
+
+void addEntityOptions(CLI::App& app, RenderOptions& o) {
+    app.add_option("--model", o.model,
+                   "Only this source model, as `inspect` lists them (from 0), not the entity");
+    app.add_option("--frame", o.frame, "The frame of the animation, from 0");
+    add(app, "--anchor", "x,y,z", "The anchor in voxels from the bounds' minimum corner",
+        vectorFrom, o.anchorVoxels);
+    add(app, "--rotate", "yaw,pitch,roll", "The entity's rotation in degrees", vectorFrom,
+        o.rotateDegrees);
+    add(app, "--scale", "NUMBER", "The entity's scale", numberFrom, o.scale);
+    add(app, "--position", "x,y,z",
+        "Where the anchor stands, metres, Y up (else the model's centre is at the origin)",
+        vectorFrom, o.positionMetres);
+}
+
+void addProfileOptions(CLI::App& app, RenderOptions& o) {
+    app.add_option("--profile", o.profile,
+                   "The game profile (JSON); else the built-in one without minification")
+        ->type_name("FILE");
+    add(app, "--voxel-size", "METRES", "VoxelSize: metres a voxel", numberFrom, o.voxelSizeMetres);
+    add(app, "--sigma", "NUMBER", "Virtual pixels a voxel", numberFrom, o.sigma);
+    add(app, "--view", "camera_forward|toward_entity", "Which way the rays run", viewFrom, o.view);
+    add(app, "--registration", "model_centre|anchor", "What the grid is registered to",
+        registrationFrom, o.registration);
+    add(app, "--proxy", "quad|box", "The region that is drawn", proxyFrom, o.proxy);
+    add(app, "--depth", "centre|ground_safe|per_pixel", "The depth that the sprite writes",
+        depthFrom, o.depth);
+    add(app, "--minification", "[on|off]", "Halve sigma while a virtual pixel is under a pixel",
+        switchFrom, o.minification);
+    add(app, "--clearance", "PIXELS", "Virtual pixels between the entity and the ground",
+        numberFrom, o.clearancePx);
+    add(app, "--view-step", "DEGREES", "Views snap to this step (0: off)", numberFrom,
+        o.viewStepDegrees);
+}
+
+void addSceneOptions(CLI::App& app, RenderOptions& o) {
+    addParsed(app, "--ground", "[METRES]",
+              "Draw a ground; its height (else the entity stands on it)", autoNumberFrom,
+              [&o](const AutoNumber& height) {
+                  o.ground = true;
+                  o.groundHeightMetres = height.number;
+              });
+    add(app, "--background", "#rrggbb[aa]", "The background's colour (transparent)", colourFromText,
+        o.background);
+}
+
+}  // namespace
+
+const char* nameOf(RenderMode mode) {
+    return nameIn(kModes, mode);
+}
+const char* nameOf(Backend backend) {
+    return nameIn(kBackends, backend);
+}
+
+void addRenderOptions(CLI::App& app, RenderOptions& o) {
+    app.add_option("IN", o.input, "The model to draw")->required();
+    app.add_option("-o,--output", o.output, "The picture")->type_name("OUT.png");
+    app.add_option("--buffer", o.buffer,
+                   "The bare sprite buffer: one pixel a virtual pixel, transparent outside")
+        ->type_name("OUT.png");
+    add(app, "--mode", "sprite|single_pass|voxels", "What is drawn, and how", modeFrom, o.mode);
+    add(app, "--backend", "cpu|gl", "Where it is drawn", backendFrom, o.backend);
+    app.add_option("--lattice", o.lattice,
+                   "Cast exactly this view: the `lattice` of `render --json`, or all of that JSON")
+        ->type_name("FILE");
+    addCameraOptions(app, o);
+    addEntityOptions(app, o);
+    addProfileOptions(app, o);
+    addSceneOptions(app, o);
+}
+
+}  // namespace voxprite::cli

@@ -1,0 +1,64 @@
+// The options of `voxprite render`, as the user gave them.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+
+#include "core/base/image.h"
+#include "core/model/game_profile.h"
+
+namespace voxprite::cli {
+
+enum class RenderMode : std::uint8_t { sprite, singlePass, voxels };
+enum class Backend : std::uint8_t { cpu, gl };
+[[nodiscard]] const char* nameOf(RenderMode mode);
+[[nodiscard]] const char* nameOf(Backend backend);
+
+struct RenderOptions {
+    std::string input;
+    std::optional<std::string> output;  // the picture
+    std::optional<std::string> buffer;  // the bare sprite buffer
+    RenderMode mode = RenderMode::sprite;
+    Backend backend = Backend::cpu;
+    std::optional<int> model;
+    int frame = 0;
+    std::optional<std::string> lattice;  // a file with the lattice view to cast
+    std::optional<std::string> profile;
+
+    // The camera.
+    glm::ivec2 sizePx{512, 512};
+    double yawDegrees = 0.0;
+    double pitchDegrees = 0.0;
+    double rollDegrees = 0.0;
+    double fovDegrees = 45.0;
+    std::optional<double> distanceMetres;  // else the model fits
+    bool orthographic = false;
+    std::optional<double> orthographicHeightMetres;  // else the model fits
+
+    // The entity.
+    std::optional<glm::dvec3> anchorVoxels;   // from the minimum corner of its bounds
+    std::optional<glm::dvec3> rotateDegrees;  // yaw, pitch, roll
+    std::optional<double> scale;
+    std::optional<glm::dvec3> positionMetres;  // of the anchor; else the centre is at the origin
+
+    // The profile, where it is not as its file or the built-in one has it.
+    std::optional<double> voxelSizeMetres, sigma, clearancePx, viewStepDegrees;
+    std::optional<ViewRule> view;
+    std::optional<Registration> registration;
+    std::optional<ProxyShape> proxy;
+    std::optional<DepthRule> depth;
+    std::optional<bool> minification;
+
+    // The scene.
+    bool ground = false;
+    std::optional<double> groundHeightMetres;  // else where the entity stands
+    Rgba8 background{0, 0, 0, 0};
+};
+
+void addRenderOptions(CLI::App& app, RenderOptions& options);
+
+}  // namespace voxprite::cli

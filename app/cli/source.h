@@ -1,0 +1,26 @@
+// What commands read: a file's document, or one source model of it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/io/formats.h"
+
+namespace voxprite::cli {
+
+// The models that have voxels, in file order, as indices into Document::models. `inspect` lists
+// them and --model N counts them, from 0.
+[[nodiscard]] std::vector<int> sourceModels(const Document& document);
+
+// The document of a file; with `model`, only that source model, without its placement.
+[[nodiscard]] Result<LoadedDocument> loadSource(const std::filesystem::path& path,
+                                                std::optional<int> model);
+
+// The profile of `path`; without one the built-in profile with the values that the document was
+// authored with (what goes into files that record them).
+[[nodiscard]] Result<GameProfile> profileForSaving(const std::optional<std::string>& path,
+                                                   const Document& document);
+
+}  // namespace voxprite::cli

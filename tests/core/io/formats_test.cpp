@@ -1,0 +1,137 @@
+#include "core/io/formats.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "core/base/file.h"
+#include "core/io/svo_file.h"
+#include "core/model/entity_voxels.h"
+#include "tests/support/corpus.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/voxels.h"
+
+namespace voxprite {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Formats, AreKnownByTheirEnding) {
+    EXPECT_EQ(formatOf("a/hut.vox").value(), Format::vox);
+    EXPECT_EQ(formatOf("HUT.VOX").value(), Format::vox);
+    EXPECT_EQ(formatOf("my.game.voxprite").value(), Format::voxprite);
+    EXPECT_EQ(formatOf("x.svo").value(), Format::svo);
+    for (const Format format : {Format::vox, Format::voxprite, Format::svo}) {
+        EXPECT_EQ(formatOf(std::string("x.") + nameOf(format)).value(), format);
+    }
+    const auto unknown = formatOf("hut.obj");
+    ASSERT_FALSE(unknown);
+    EXPECT_EQ(unknown.error().file, "hut.obj");
+    EXPECT_NE(unknown.error().message.find(".voxprite"), std::string::npos);
+    EXPECT_FALSE(formatOf("hut"));
+    EXPECT_FALSE(formatOf(""));
+}
+
+TEST(Formats, EveryFormatKeepsTheVoxels) {
+    const test::TemporaryFolder folder;
+    const Document document = test::busyDocument();
+    for (const char* name : {"a.vox", "a.voxprite", "a.svo"}) {
+        const fs::path path = folder / name;
+        const Status saved = saveDocument(path, document, GameProfile{});
+        ASSERT_TRUE(saved) << saved.error().describe();
+        const auto loaded = loadDocument(path);
+        ASSERT_TRUE(loaded) << loaded.error().describe();
+        EXPECT_EQ(loaded->format, formatOf(path).value());
+        ASSERT_EQ(frameCount(loaded->document), frameCount(document)) << name;
+        const IBox bounds = entityBounds(document);
+        const glm::ivec3 shift = entityBounds(loaded->document).min - bounds.min;
+        for (int frame = 0; frame < frameCount(document); ++frame) {
+            const VoxelGrid expected = flatten(document, frame);
+            const VoxelGrid read = flatten(loaded->document, frame);
+            EXPECT_EQ(read.solidCount(), expected.solidCount()) << name << " frame " << frame;
+            std::uint64_t different = 0;
+            const VoxelGrid::Reader reader(read);
+            expected.forEachSolid([&](glm::ivec3 v, std::uint8_t value) {
+                if (reader.get(v + shift) != value) ++different;
+            });
+            EXPECT_EQ(different, 0u) << name << " frame " << frame;
+        }
+    }
+}
+
+TEST(Formats, ProjectsRecordTheProfileAtTheTimeOfSaving) {
+    const test::TemporaryFolder folder;
+    GameProfile profile;
+    profile.voxelSizeMetres = 0.25;
+    profile.sigma = 2.0;
+    const fs::path path = folder / "figure.voxprite";
+    ASSERT_TRUE(saveDocument(path, test::documentOf(test::figure()), profile));
+    const auto loaded = loadDocument(path);
+    ASSERT_TRUE(loaded);
+    EXPECT_EQ(loaded->document.authored, (AuthoredValues{0.25, 2.0}));
+    EXPECT_TRUE(loaded->warnings.empty());
+}
+
+TEST(Formats, ExportsHoldTheProfilesValues) {
+    const test::TemporaryFolder folder;
+    GameProfile profile;
+    profile.voxelSizeMetres = 0.25;
+    profile.outline.colour = Rgba8(9, 8, 7, 255);
+    const fs::path path = folder / "figure.svo";
+    ASSERT_TRUE(saveDocument(path, test::documentOf(test::figure()), profile));
+    const auto file = readSvo(readFile(path).value());
+    ASSERT_TRUE(file);
+    EXPECT_EQ(file->voxelSizeMetres, 0.25);
+    EXPECT_EQ(file->outline.colour, profile.outline.colour);
+}
+
+TEST(Formats, ErrorsNameTheFile) {
+    const test::TemporaryFolder folder;
+    const std::string missing = (folder / "missing.vox").string();
+    EXPECT_EQ(loadDocument(missing).error().file, missing);
+
+    const std::string broken = (folder / "broken.vox").string();
+    std::ofstream(broken) << "VOX ";
+    const auto loaded = loadDocument(broken);
+    ASSERT_FALSE(loaded);
+    EXPECT_EQ(loaded.error().file, broken);
+    EXPECT_TRUE(loaded.error().offset.has_value());
+
+    const std::string nowhere = (folder / "no/such/folder.vox").string();
+    const Status saved = saveDocument(nowhere, Document::withEmptyModel(), GameProfile{});
+    ASSERT_FALSE(saved);
+    EXPECT_EQ(saved.error().file, nowhere);
+    EXPECT_FALSE(fs::exists(nowhere));
+}
+
+TEST(Formats, AFailedSaveLeavesTheOldFile) {
+    const test::TemporaryFolder folder;
+    const fs::path path = folder / "figure.voxprite";
+    ASSERT_TRUE(saveDocument(path, test::documentOf(test::figure()), GameProfile{}));
+    const Bytes before = readFile(path).value();
+    Document invalid = test::documentOf(test::figure());
+    invalid.entity.scale = -1.0;
+    EXPECT_FALSE(saveDocument(path, invalid, GameProfile{}));
+    EXPECT_EQ(readFile(path).value(), before);
+}
+
+TEST(FormatsCorpus, ProjectsOfRealFilesReadBackEqual) {
+    if (test::corpusNotice()) return;
+    const test::TemporaryFolder folder;
+    const fs::path path = folder / "a.voxprite";
+    int opened = 0;
+    for (const fs::path& file : test::corpusFiles()) {
+        const auto loaded = loadDocument(file);
+        if (!loaded) continue;
+        ++opened;
+        const Status saved = saveDocument(path, loaded->document, GameProfile{});
+        ASSERT_TRUE(saved) << file << ": " << saved.error().describe();
+        const auto read = loadDocument(path);
+        ASSERT_TRUE(read) << file << ": " << read.error().describe();
+        EXPECT_EQ(read->document, loaded->document) << file;
+    }
+    EXPECT_GT(opened, 0);
+}
+
+}  // namespace
+}  // namespace voxprite
