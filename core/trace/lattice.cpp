@@ -11,9 +11,11 @@ namespace {
 
 constexpr double kMinSigma = 1.0 / 64.0;
 constexpr double kMaxSigma = 64.0;
+constexpr double kMinStepsPerPx = 16.0;
+constexpr int kMaxSpritePositionBits = 12;
 constexpr int kMaxModelEdge = 1 << 16;
 constexpr int kMaxPositionBits = 16;
-constexpr int kMaxDirectionBits = 16;
+constexpr int kMaxDirectionBits = 13;
 constexpr int kMaxLatticeCoordinate = 1 << 28;
 
 // Determinants of a lattice's vectors take more than 64 bits.
@@ -125,6 +127,24 @@ glm::ivec3 rounded(glm::dvec3 v) {
             static_cast<int>(std::floor(v.z + 0.5))};
 }
 
+// C, U, V and the bounds of a lattice whose positionBits and D are chosen.
+Status quantisePositions(const OrthoView& view, glm::ivec3 modelSize, LatticeView& lattice) {
+    const double stepsPerVoxel = std::ldexp(1.0, lattice.positionBits);
+    const double pxVoxels = 1.0 / view.sigmaInForce;
+    const double offsetVoxels = sampleOffsetPx(view.sigmaInForce) * pxVoxels;
+    const glm::dvec3 corner(modelSize / 2);
+    // Half a step more, because rays round their start down: so they are off by nothing on average.
+    lattice.C = rounded((corner + (view.right + view.up) * offsetVoxels) * stepsPerVoxel + 0.5);
+    const double stepsPerPx = pxVoxels * std::ldexp(stepsPerVoxel, kStepShift);
+    lattice.U = rounded(view.right * stepsPerPx);
+    lattice.V = rounded(view.up * stepsPerPx);
+    const Result<PixelBounds> bounds = pixelBounds(lattice, modelSize);
+    if (!bounds) return Failure(bounds.error());
+    lattice.first = bounds->first;
+    lattice.size = bounds->size;
+    return {};
+}
+
 }  // namespace
 
 double sampleOffsetPx(double sigmaInForce) {
@@ -141,21 +161,15 @@ Result<LatticeView> quantiseView(const OrthoView& view, glm::ivec3 modelSize) {
     if (!orthonormal(view)) return fail("the view's axes are not three orthonormal vectors");
 
     LatticeView lattice;
-    while (std::ldexp(1.0, lattice.positionBits) < 16.0 * sigma) ++lattice.positionBits;
-    const double stepsPerVoxel = std::ldexp(1.0, lattice.positionBits);
-    const double pxVoxels = 1.0 / sigma;
-    const double offset = sampleOffsetPx(sigma) * pxVoxels;
-    const glm::dvec3 corner(modelSize / 2);
-    lattice.C = rounded((corner + (view.right + view.up) * offset) * stepsPerVoxel);
     lattice.D = nearestDirection(view.forward, lattice.directionBits);
-    const double stepScale = pxVoxels * std::ldexp(stepsPerVoxel, kStepShift);
-    lattice.U = rounded(view.right * stepScale);
-    lattice.V = rounded(view.up * stepScale);
-
-    const Result<PixelBounds> bounds = pixelBounds(lattice, modelSize);
-    if (!bounds) return Failure(bounds.error());
-    lattice.first = bounds->first;
-    lattice.size = bounds->size;
+    while (std::ldexp(1.0, lattice.positionBits) < kMinStepsPerPx * sigma) ++lattice.positionBits;
+    if (Status ok = quantisePositions(view, modelSize, lattice); !ok) return Failure(ok.error());
+    while (lattice.positionBits < kMaxSpritePositionBits) {
+        LatticeView finer = lattice;
+        ++finer.positionBits;
+        if (!quantisePositions(view, modelSize, finer) || !fitsNarrow(finer, modelSize)) break;
+        lattice = finer;
+    }
     return lattice;
 }
 

@@ -6,19 +6,12 @@
 
 #include "core/svo/octree.h"
 #include "core/trace/lattice.h"
+#include "core/trace/octree_walk.h"
 
 namespace voxprite {
 
-struct LatticeHit {
-    std::uint8_t material = 0;  // 0: nothing was hit
-    // The axis whose face the ray came through (0 x, 1 y, 2 z). The face's outward normal points
-    // against D on that axis.
-    std::uint8_t faceAxis = 0;
-    glm::ivec3 voxel{0};
-};
-
 // An infinite line of the lattice. `origin` in lattice units (2^positionBits a voxel) from the
-// model's minimum corner, |direction| <= 2^directionBits, not all zero.
+// model's minimum corner, |direction| <= 2^directionBits; (0,0,0) hits nothing.
 struct LatticeRay {
     glm::i64vec3 origin{0};
     glm::ivec3 direction{0, 1, 0};
@@ -29,6 +22,19 @@ struct LatticeRay {
 
 // The first solid cell along the whole line.
 [[nodiscard]] LatticeHit castLattice(const OctreeView& octree, const LatticeRay& ray);
+
+// castLattice(octree, rayOf(lattice, pixel)) for many pixels: what parallel rays share is worked
+// out once. One instance may serve many threads; it must not outlive the octree's arrays.
+class LatticeCaster {
+  public:
+    // `lattice` as quantiseView or validateLattice leave it.
+    LatticeCaster(const OctreeView& octree, const LatticeView& lattice);
+    [[nodiscard]] LatticeHit cast(glm::ivec2 pixel) const;
+
+  private:
+    LatticeView lattice_;
+    Course course_;
+};
 
 // For perspective rays (voxel views, picking): the same walk along a line quantised near where the
 // ray enters the box. `eye` in voxel units from the minimum corner, `direction` of any length; only

@@ -43,8 +43,8 @@ glm::ivec3 nearestDirection(glm::dvec3 direction, int bits) {
     double bestNorm = 0.0;  // |best|^2; 0: none yet
     for (int s = 1; s <= 1 << bits && (bestNorm == 0.0 || bestQ > 0.0); ++s) {
         const double scale = s;
-        const double floorB = std::floor(scale * b);
-        const double floorC = std::floor(scale * c);
+        const double floorB = static_cast<int>(scale * b);
+        const double floorC = static_cast<int>(scale * c);
         const double restB = scale * b - floorB;
         const double restC = scale * c - floorC;
         // Q >= db^2 + dc^2 and |v|^2 <= 3 s^2 rule most scales out at once.
