@@ -61,7 +61,7 @@
 //     56  u8[8]   reserved
 //   STRS  the bytes of all texts
 //
-// Limits, so that a small file cannot unfold into more than a machine holds: 16,384 frames (those
+// Limits, so that a small file cannot unfold into more than a machine holds: 65,536 frames (those
 // of the clips, and one for each model that no clip shows) and 2^40 solid voxels in all models.
 //
 // A minimal reader in C: check magic and major version, find the sections MODL, NODE and PAYL in

@@ -84,9 +84,8 @@ Status compare(const Octree& octree, const VoxelGrid& voxels, const std::string&
         const std::uint8_t found = materialAt(view, v - octree.origin);
         if (found != value) same = different(what, v, value, found);
     });
-    const VoxelGrid back = toVoxels(octree);
-    if (!same || back.solidCount() == voxels.solidCount()) return same;
-    back.forEachSolid([&](glm::ivec3 v, std::uint8_t value) {
+    if (!same || solidCount(view) == voxels.solidCount()) return same;
+    toVoxels(octree).forEachSolid([&](glm::ivec3 v, std::uint8_t value) {
         if (same && voxels.get(v) == 0) same = different(what, v, 0, value);
     });
     return same;

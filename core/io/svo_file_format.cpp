@@ -10,27 +10,9 @@ namespace voxprite::svo {
 namespace {
 
 constexpr std::uint32_t kMaxDurationMilliseconds = 1'000'000;
+constexpr std::size_t kMaxSvoFrames = 1 << 16;
+static_assert(kMaxSvoFrames <= kMaxFrames, "what a file holds can be opened as a document");
 constexpr std::uint64_t kMaxSolids = std::uint64_t{1} << 40;
-
-std::uint64_t solidsUnder(const Octree& octree, std::uint32_t word, int depth) {
-    if (node::isBrick(word)) {
-        const std::uint64_t payload = octree.payloads[node::payloadIndex(word)];
-        std::uint64_t solids = 0;
-        for (unsigned octant = 0; octant < 8; ++octant) {
-            solids += payloadMaterial(payload, octant) != 0 ? 1 : 0;
-        }
-        return solids;
-    }
-    if (!node::isInternal(word)) {
-        return node::isEmpty(word) ? 0 : std::uint64_t{1} << 3 * (octree.maxDepth - depth);
-    }
-    std::uint64_t solids = 0;
-    for (unsigned octant = 0; octant < 8; ++octant) {
-        if (!node::hasChild(word, octant)) continue;
-        solids += solidsUnder(octree, octree.nodes[node::childIndex(word, octant)], depth + 1);
-    }
-    return solids;
-}
 
 }  // namespace
 
@@ -103,12 +85,12 @@ Status checkLimits(const SvoFile& file) {
     if (file.models.empty()) return fail("the file holds no model");
     std::size_t frames = modelsWithoutClip(file).size();
     for (const SvoClip& clip : file.clips) frames += clip.models.size();
-    if (frames > static_cast<std::size_t>(kMaxFrames)) {
-        return fail("the file has " + std::to_string(frames) + " frames; 16,384 are the limit");
+    if (frames > kMaxSvoFrames) {
+        return fail("the file has " + std::to_string(frames) + " frames; 65,536 are the limit");
     }
     std::uint64_t solids = 0;
     for (const SvoModel& model : file.models) {
-        solids += solidsUnder(model.octree, model.octree.nodes[0], 0);
+        solids += solidCount(model.octree.view());
         if (solids > kMaxSolids) return fail("the models hold more than 2^40 solid voxels");
     }
     return {};

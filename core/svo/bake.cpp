@@ -83,7 +83,8 @@ class Baker {
         }
         if (edge <= 8) {
             gather(box, first);
-            return denseCube(depth, glm::ivec3(0));
+            cut();
+            return denseCube(depth, 0, edge == 8 ? 64 : edge == 4 ? 8 : 1);
         }
         return builder_.internal(depth, [&](unsigned octant) {
             const glm::ivec3 childMin = min + octantCorner(octant) * (edge / 2);
@@ -136,32 +137,47 @@ class Baker {
         }
     }
 
-    // The node at `depth` whose minimum corner lies at `min` in rows_.
-    [[nodiscard]] std::uint32_t denseCube(int depth, glm::ivec3 min) {
-        if (depth == builder_.maxDepth() - 1) return builder_.brick(brickPayload(min));
-        const int half = 1 << (builder_.maxDepth() - depth - 1);
-        return builder_.internal(depth, [&](unsigned octant) {
-            return denseCube(depth + 1, min + octantCorner(octant) * half);
-        });
+    // Cuts rows_ into bricks_, in the octree's own order (the bits of x, y and z interleaved).
+    void cut() {
+        occupied_ = 0;
+        for (unsigned column = 0; column < 16; ++column) {  // bricks at the same x and y
+            const unsigned x = column >> 2;
+            const unsigned y = column & 3u;
+            const std::size_t row = (x << 4) | (y << 1);
+            const std::array<std::uint64_t, 4> rows{rows_[row], rows_[row + 8], rows_[row + 1],
+                                                    rows_[row + 9]};
+            if ((rows[0] | rows[1] | rows[2] | rows[3]) == 0) continue;
+            for (unsigned z = 0; z < 4; ++z) {
+                std::uint64_t payload = 0;
+                for (unsigned i = 0; i < 4; ++i) {  // octants i and i + 4
+                    const std::uint64_t pair = rows[i] >> (16 * z);
+                    payload |= ((pair & 0xFF) | (pair & 0xFF00) << 24) << (8 * i);
+                }
+                if (payload == 0) continue;
+                const glm::ivec3 brick(x, y, z);
+                const unsigned index = octantOf(brick, 1) << 3 | octantOf(brick, 0);
+                bricks_[index] = payload;
+                occupied_ |= std::uint64_t{1} << index;
+            }
+        }
     }
 
-    [[nodiscard]] std::uint64_t brickPayload(glm::ivec3 min) const {
-        std::uint64_t payload = 0;
-        for (unsigned column = 0; column < 4; ++column) {  // octants column and column + 4
-            const auto row =
-                static_cast<std::size_t>(((min.x + static_cast<int>(column & 1u)) << 3) |
-                                         (min.y + static_cast<int>(column >> 1)));
-            const std::uint64_t pair = rows_[row] >> (8 * min.z);
-            payload |= ((pair & 0xFF) | (pair & 0xFF00) << 24) << (8 * column);
-        }
-        return payload;
+    // The node at `depth` over bricks_[first, first + count).
+    [[nodiscard]] std::uint32_t denseCube(int depth, unsigned first, unsigned count) {
+        if (((occupied_ >> first) & (~std::uint64_t{0} >> (64 - count))) == 0) return 0;
+        if (count == 1) return builder_.brick(bricks_[first]);
+        return builder_.internal(depth, [&](unsigned octant) {
+            return denseCube(depth + 1, first + octant * (count / 8), count / 8);
+        });
     }
 
     IBox bounds_;
     TreeBuilder builder_;
     std::vector<Source> sources_;
     std::vector<std::uint32_t> pending_;
-    std::array<std::uint64_t, 64> rows_{};  // [(x << 3) | y]: eight voxels along z
+    std::array<std::uint64_t, 64> rows_{};    // [(x << 3) | y]: eight voxels along z
+    std::array<std::uint64_t, 64> bricks_{};  // payloads; only those with their bit in occupied_
+    std::uint64_t occupied_ = 0;
 };
 
 void unpack(const Octree& octree, std::uint32_t word, int depth, glm::ivec3 min,

@@ -3,6 +3,24 @@
 #include <algorithm>
 
 namespace voxprite {
+namespace {
+
+std::uint64_t solidsUnder(const OctreeView& octree, std::uint32_t word, int depth) {
+    if (node::isUniform(word)) return std::uint64_t{1} << 3 * (octree.maxDepth - depth);
+    std::uint64_t solids = 0;
+    for (unsigned octant = 0; octant < 8; ++octant) {
+        if (node::isBrick(word)) {
+            const std::uint64_t payload = octree.payloads[node::payloadIndex(word)];
+            solids += payloadMaterial(payload, octant) != 0 ? 1 : 0;
+        } else if (node::hasChild(word, octant)) {
+            const std::uint32_t child = octree.nodes[node::childIndex(word, octant)];
+            solids += solidsUnder(octree, child, depth + 1);
+        }
+    }
+    return solids;
+}
+
+}  // namespace
 
 int depthForSize(glm::ivec3 size) {
     const int longest = std::max({size.x, size.y, size.z, 1});
@@ -28,6 +46,10 @@ std::uint8_t materialAtTree(const OctreeView& octree, glm::ivec3 tree) {
         return payloadMaterial(octree.payloads[node::payloadIndex(word)], octantOf(tree, 0));
     }
     return static_cast<std::uint8_t>(word);
+}
+
+std::uint64_t solidCount(const OctreeView& octree) {
+    return solidsUnder(octree, octree.nodes[0], 0);
 }
 
 }  // namespace voxprite

@@ -131,4 +131,7 @@ struct Octree {
 // The same by tree coordinate; 0 outside the root cube.
 [[nodiscard]] std::uint8_t materialAtTree(const OctreeView& octree, glm::ivec3 tree);
 
+// Solid voxels in the whole tree. O(nodes).
+[[nodiscard]] std::uint64_t solidCount(const OctreeView& octree);
+
 }  // namespace voxprite

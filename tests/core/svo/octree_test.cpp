@@ -69,5 +69,15 @@ TEST(MaterialAt, IsEmptyOutsideTheSizeAndTheRoot) {
     EXPECT_EQ(materialAt(view, {7, 0, 0}), 0);
 }
 
+TEST(SolidCount, CountsUniformCubesAndBricks) {
+    const std::vector<std::uint32_t> nodes{0x8000'0103, 5, 0x8000'0301, 0x4000'0000};
+    const std::vector<std::uint64_t> payloads{0x0100'0000'0000'FF02};
+    EXPECT_EQ(solidCount({nodes, payloads, 3, {8, 4, 4}, {0, 0, 0}}), 64u + 3u);
+    const std::vector<std::uint32_t> empty{0};
+    EXPECT_EQ(solidCount({empty, {}, 4, {16, 16, 16}, {0, 0, 0}}), 0u);
+    const std::vector<std::uint32_t> vast{9};
+    EXPECT_EQ(solidCount({vast, {}, 16, glm::ivec3(65536), {0, 0, 0}}), std::uint64_t{1} << 48);
+}
+
 }  // namespace
 }  // namespace voxprite
