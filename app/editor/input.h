@@ -28,7 +28,7 @@ struct InputEvent {
     glm::dvec2 position{0.0};  // framebuffer pixels from the window's top left corner
     int code = 0;
     bool down = false;
-    std::vector<std::filesystem::path> files;
+    std::vector<std::filesystem::path> files{};
     double seconds = 0.0;  // when it arrived; see Window::seconds()
 };
 

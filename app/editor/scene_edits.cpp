@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "app/editor/make_action.h"
+
 namespace voxprite::editor {
 namespace {
 
@@ -17,9 +19,7 @@ Action sceneAction(std::string label, const Document& document, Edit edit) {
     part.before = part.after = sceneOf(document);
     part.modelsBefore = document.models.size();
     edit(part);
-    Action action{.label = std::move(label)};
-    action.parts.emplace_back(std::move(part));
-    return action;
+    return makeAction(std::move(label), std::move(part));
 }
 
 void appendUnder(SceneState& scene, int parent, SceneNode node) {

@@ -145,7 +145,9 @@ int Session::nodeAt(glm::ivec3 entityVoxel) const {
 }
 
 PlacedEntity Session::placedInGame() const {
-    return placeEntity(document().entity, bounds_, profile());
+    PlacedEntity placed = placeEntity(document().entity, bounds_, profile());
+    placed.anchorMetres.y += groundClearanceMetres(profile());
+    return placed;
 }
 
 PlacedEntity Session::placedForEditing() const {

@@ -1,6 +1,7 @@
 // The session's files: what opening and saving do to it.
 #include <algorithm>
 
+#include "app/editor/make_action.h"
 #include "app/editor/session.h"
 #include "core/io/formats.h"
 #include "core/io/profile_json.h"
@@ -68,9 +69,9 @@ Status Session::saveAs(const std::filesystem::path& path) {
 Status Session::openProfile(const std::filesystem::path& path) {
     Result<GameProfile> profile = readProfileFile(path);
     if (!profile) return Failure(profile.error());
-    Action action{.label = "Open game profile"};
-    action.parts.emplace_back(ProfileEdit{workspace_.profile, *profile});
-    if (Status performed = perform(std::move(action)); !performed) return performed;
+    Status performed =
+        perform(makeAction("Open game profile", ProfileEdit{workspace_.profile, *profile}));
+    if (!performed) return performed;
     profilePath_ = path;
     savedProfile_ = workspace_.profile;
     return {};

@@ -18,6 +18,7 @@ enum class DockTab : std::uint8_t { palette, objects, history };
 
 struct ToolSettings {
     Tool tool = Tool::attach;
+    Tool before = Tool::attach;  // where the picking tools, good for one click, return to
     BrushShape shape = BrushShape::voxel;
     std::uint8_t colour = 1;
     GizmoKind gizmo = GizmoKind::move;

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "app/editor/make_action.h"
+
 namespace voxprite::editor {
 namespace {
 
 // A ray that grazes the face's plane would reach for the horizon.
 constexpr int kMaxBoxEdge = 1024;
-constexpr double kSampleStepPx = 1.0;
 
 const char* nameOf(EditMode mode) {
     switch (mode) {
@@ -60,40 +61,50 @@ glm::ivec3 Stroke::cellOf(const Pick& pick) const {
 }
 
 Action Stroke::actionOf(VoxelPatch patch) const {
-    Action action{.label = nameOf(brush_.mode), .mergeKey = mergeKey_};
-    action.parts.emplace_back(std::move(patch));
-    return action;
+    return makeAction(nameOf(brush_.mode), std::move(patch), mergeKey_);
 }
 
-std::optional<Action> Stroke::drag(const Session& session, const Camera& camera, glm::dvec2 fromPx,
-                                   glm::dvec2 toPx) {
+void Stroke::stretchBox(const Camera::Ray& ray) {
+    const int axis = start_.axis();
+    const auto hit = meetPlane(ray, axis, start_.facePlane());
+    if (!hit) return;
+    const glm::ivec3 anchor = cellOf(start_);
+    for (const int other : {(axis + 1) % 3, (axis + 2) % 3}) {
+        const double cell = std::floor((*hit)[other]);
+        corner_[other] =
+            static_cast<int>(std::clamp(cell, static_cast<double>(anchor[other] - kMaxBoxEdge),
+                                        static_cast<double>(anchor[other] + kMaxBoxEdge)));
+    }
+}
+
+std::optional<glm::ivec3> Stroke::target(const Session& session, const Camera::Ray& ray) const {
+    const auto found = pick(octree_, bounds_, ray);
+    if (!found) return std::nullopt;
+    if (brush_.mode != EditMode::attach) {
+        // Where another object covers this one, or nothing is left, there is nothing to do.
+        if (found->ground || session.nodeAt(found->voxel) != target_.node) return std::nullopt;
+    }
+    return target_.entityFromModel.inverse().applyToVoxel(cellOf(*found));
+}
+
+std::optional<Action> Stroke::drag(const Session& session, const Camera& camera,
+                                   std::span<const glm::dvec2> pathPx) {
+    if (pathPx.empty()) return std::nullopt;
     if (brush_.shape == BrushShape::box) {
-        const int axis = start_.axis();
-        const auto hit = meetPlane(camera.rayThrough(toPx), axis, start_.facePlane());
-        if (!hit) return std::nullopt;
-        const glm::ivec3 anchor = cellOf(start_);
-        for (int other : {(axis + 1) % 3, (axis + 2) % 3}) {
-            const double cell = std::floor((*hit)[other]);
-            corner_[other] =
-                static_cast<int>(std::clamp(cell, static_cast<double>(anchor[other] - kMaxBoxEdge),
-                                            static_cast<double>(anchor[other] + kMaxBoxEdge)));
-        }
+        stretchBox(camera.rayThrough(pathPx.back()));
         return std::nullopt;
     }
-
-    const Placement modelFromEntity = target_.entityFromModel.inverse();
-    const auto steps = static_cast<int>(std::ceil(glm::length(toPx - fromPx) / kSampleStepPx));
     std::vector<glm::ivec3> positions;
-    for (int step = steps > 0 ? 1 : 0; step <= steps; ++step) {
-        const double along = steps > 0 ? static_cast<double>(step) / steps : 1.0;
-        const auto found =
-            pick(octree_, bounds_, camera.rayThrough(fromPx + (toPx - fromPx) * along));
-        if (!found) continue;
-        const bool attach = brush_.mode == EditMode::attach;
-        // Where another object covers this one, or nothing is left, there is nothing to do.
-        if (!attach && (found->ground || session.nodeAt(found->voxel) != target_.node)) continue;
-        const glm::ivec3 position = modelFromEntity.applyToVoxel(cellOf(*found));
-        if (positions.empty() || positions.back() != position) positions.push_back(position);
+    const auto sample = [&](glm::dvec2 atPx) {
+        const auto position = target(session, camera.rayThrough(atPx));
+        if (!position || (!positions.empty() && positions.back() == *position)) return;
+        positions.push_back(*position);
+    };
+    sample(pathPx.front());
+    for (std::size_t i = 1; i < pathPx.size(); ++i) {
+        const glm::dvec2 step = pathPx[i] - pathPx[i - 1];
+        const int samples = std::max(1, static_cast<int>(std::ceil(glm::length(step))));
+        for (int s = 1; s <= samples; ++s) sample(pathPx[i - 1] + step * (double(s) / samples));
     }
     VoxelPatch patch =
         patchVoxels(session.document(), target_.model, positions, brush_.mode, brush_.colour);

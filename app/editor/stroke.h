@@ -27,9 +27,10 @@ class Stroke {
     [[nodiscard]] static Result<Stroke> begin(Session& session, const Brush& brush,
                                               const Pick& start);
 
-    // The pointer moved from `fromPx` to `toPx`. With single voxels: what that changes.
+    // The pointer went along `pathPx`, from its first point to its last; a fast hand leaves few of
+    // them. With single voxels: what all of it changes.
     [[nodiscard]] std::optional<Action> drag(const Session& session, const Camera& camera,
-                                             glm::dvec2 fromPx, glm::dvec2 toPx);
+                                             std::span<const glm::dvec2> pathPx);
     // Boxes only: one layer more or less, seen from the face.
     void deepen(int layers);
     // The button was released: what a box changes.
@@ -42,6 +43,10 @@ class Stroke {
   private:
     Stroke(const Session& session, const Brush& brush, const Pick& start, Instance target);
     [[nodiscard]] glm::ivec3 cellOf(const Pick& pick) const;
+    void stretchBox(const Camera::Ray& ray);
+    // The model-space position to edit under a ray, if there is one.
+    [[nodiscard]] std::optional<glm::ivec3> target(const Session& session,
+                                                   const Camera::Ray& ray) const;
     [[nodiscard]] Action actionOf(VoxelPatch patch) const;
 
     Brush brush_;

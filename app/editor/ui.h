@@ -3,12 +3,14 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/editor/commands.h"
 #include "app/editor/layout_probe.h"
+#include "app/editor/make_action.h"
 #include "app/editor/session.h"
 #include "app/editor/settings.h"
 #include "app/editor/theme.h"
@@ -24,9 +26,7 @@ class EditQueue {
     }
     template <class Part>
     void push(std::string label, Part part, bool merge = true) {
-        Action action{.label = std::move(label), .mergeKey = merge ? key_ : 0};
-        action.parts.emplace_back(std::move(part));
-        actions_.push_back(std::move(action));
+        actions_.push_back(makeAction(std::move(label), std::move(part), merge ? key_ : 0));
     }
     void push(Action action) { actions_.push_back(std::move(action)); }
     // Of the drag that is going on.
@@ -54,7 +54,9 @@ struct Ui {
     EditQueue& edits;
     CommandQueue& commands;
     LayoutProbe& probe;
-    const ViewFigures& figures;
+    ViewFigures& figures;
+    // Where the pointer went since the last frame, from where it was then; window pixels.
+    std::span<const glm::dvec2> pointerPath;
 };
 
 }  // namespace voxprite::editor

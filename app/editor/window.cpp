@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/common.hpp>
 #include <utility>
 
 #include "render/gl/context.h"

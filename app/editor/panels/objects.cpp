@@ -1,4 +1,5 @@
 // The scene graph as a list: what is shown, what is locked, what the tools edit; and the frame.
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>

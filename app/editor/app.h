@@ -1,0 +1,111 @@
+// The editor without its window: the session, the settings, all panels and both views, frame by
+// frame.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/editor/input.h"
+#include "app/editor/layout.h"
+#include "app/editor/panels/dialogs.h"
+#include "app/editor/panels/file_browser.h"
+#include "app/editor/sprite_viewport.h"
+#include "app/editor/toasts.h"
+#include "app/editor/voxel_viewport.h"
+
+namespace voxprite::editor {
+
+class App {
+  public:
+    // Needs the window's GL context.
+    [[nodiscard]] static Result<std::unique_ptr<App>> create(
+        EditorSettings settings, std::optional<std::filesystem::path> layoutDump);
+
+    // What the command line names; a failure is the caller's to report.
+    [[nodiscard]] Status openAtStart(const std::filesystem::path& file);
+    [[nodiscard]] Status openProfileAtStart(const std::filesystem::path& file);
+
+    // One frame: `events` are those that ImGui was fed. Between ImGui's NewFrame and Render.
+    void frame(const Theme& theme, const std::vector<InputEvent>& events);
+    // Dropped or otherwise asked for; asks about unsaved changes first.
+    void requestOpen(const std::filesystem::path& file);
+    void requestQuit();
+
+    [[nodiscard]] bool quits() const { return quits_; }
+    // Something moves by itself, so that the next frame must not wait for input.
+    [[nodiscard]] bool animates() const;
+    [[nodiscard]] bool hasToasts() const { return toasts_.any(); }
+    [[nodiscard]] const EditorSettings& settings() const { return settings_; }
+    [[nodiscard]] std::string windowTitle() const;
+
+  private:
+    App(EditorSettings settings, std::optional<std::filesystem::path> layoutDump,
+        VoxelViewport voxels, SpriteViewport sprite)
+        : settings_(std::move(settings)),
+          probe_(std::move(layoutDump)),
+          voxels_(std::move(voxels)),
+          sprite_(std::move(sprite)) {}
+
+    // Parts of the window (app.cpp).
+    void buildUi(Ui& ui);
+    void drawDivider(Ui& ui, const Layout& layout);
+    void drawDock(Ui& ui);
+    void drawDialogs(Ui& ui);
+    void perform(std::vector<Action> actions);
+    void renderViews();
+    void lockCameras();
+    void advanceAnimation();
+    void measure(const std::vector<InputEvent>& events);
+    void dumpLayout();
+
+    // Commands (app_commands.cpp).
+    void run(CommandId id);
+    void runFileCommand(CommandId id);
+    void runSceneCommand(CommandId id);
+    void runToggle(CommandId id);
+    void report(const Status& status);
+    void afterUnsavedQuestion(UnsavedAnswer answer);
+    void browserChose(const std::filesystem::path& path);
+    void openNow(const std::filesystem::path& path);
+    void saveOrAsk();
+    void frameModel();
+    void look(double yawDegrees, double pitchDegrees);
+
+    // What waits for the answer about unsaved changes.
+    enum class Waiting : std::uint8_t { none, startNew, openDialog, openFile, quit };
+    void continueAfterSaving();
+    void unlessUnsaved(Waiting what);
+    // What the file browser was opened for.
+    enum class Browsing : std::uint8_t { open, saveAs, exportOctree, openProfile, saveProfile };
+    void browse(Browsing what);
+
+    EditorSettings settings_;
+    Session session_;
+    GpuOctree octree_;
+    LayoutProbe probe_;
+    VoxelViewport voxels_;
+    SpriteViewport sprite_;
+    EditQueue edits_;
+    CommandQueue commands_;
+    ViewFigures figures_;
+    Toasts toasts_;
+    Dialogs dialogs_;
+    FileBrowser browser_;
+    Browsing browsing_ = Browsing::open;
+    Waiting waiting_ = Waiting::none;
+    std::filesystem::path waitingFile_;
+    bool quits_ = false;
+    bool framed_ = false;  // the cameras have been placed for this document
+    glm::dvec2 pointer_{0.0};
+    double animationSeconds_ = 0.0;
+    // The press or key that the edit of this frame answers.
+    std::optional<double> editStart_;
+    std::uint64_t shownModel_ = 0;
+    struct CameraPair {
+        OrbitCamera edit, sprite;
+    } before_;  // of the frame before, to see which one was moved
+};
+
+}  // namespace voxprite::editor

@@ -1,0 +1,196 @@
+#include "app/editor/editor.h"
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+
+#include "app/editor/app.h"
+#include "app/editor/imgui_host.h"
+#include "app/editor/play_script.h"
+#include "core/base/file.h"
+#include "core/io/png.h"
+
+namespace voxprite {
+namespace editor {
+namespace {
+
+constexpr double kIdleWaitSeconds = 0.5;  // a text cursor blinks
+constexpr double kToastWaitSeconds = 0.05;
+constexpr int kFramesToSettle = 3;  // a user interface shows an effect a frame later
+
+// Input that comes from a file, and what else the file asks for.
+class Replay {
+  public:
+    [[nodiscard]] static Result<Replay> read(const std::filesystem::path& path) {
+        Result<std::string> text = readTextFile(path);
+        if (!text) return Failure(text.error());
+        Result<std::vector<ScriptLine>> lines = readPlayScript(*text);
+        if (!lines) return Failure(inFile(std::move(lines), path.string()).error());
+        Replay replay;
+        replay.lines_ = std::move(*lines);
+        return replay;
+    }
+    [[nodiscard]] bool done() const { return next_ == lines_.size(); }
+    // What happens in `frame`.
+    [[nodiscard]] std::vector<ScriptLine> take(long long frame) {
+        std::vector<ScriptLine> now;
+        while (!done() && lines_[next_].frame <= frame) now.push_back(lines_[next_++]);
+        return now;
+    }
+
+  private:
+    std::vector<ScriptLine> lines_;
+    std::size_t next_ = 0;
+};
+
+class Editor {
+  public:
+    Editor(const EditorOptions& options, Window& window, ImGuiHost& host, App& app)
+        : options_(options), window_(window), host_(host), app_(app) {}
+
+    [[nodiscard]] Status run();
+    [[nodiscard]] Status startReplay();
+
+  private:
+    [[nodiscard]] Status oneFrame();
+    [[nodiscard]] std::vector<InputEvent> eventsOfFrame();
+    [[nodiscard]] Status saveScreenshot(const std::filesystem::path& path) const;
+    [[nodiscard]] double waitSeconds() const;
+    [[nodiscard]] bool automatic() const { return replay_ || options_.screenshot; }
+
+    const EditorOptions& options_;
+    Window& window_;
+    ImGuiHost& host_;
+    App& app_;
+    std::optional<Replay> replay_;
+    std::ofstream recording_;
+    std::vector<std::filesystem::path> screenshots_;  // of this frame
+    long long frame_ = 0;
+    int unsettled_ = kFramesToSettle;
+    double lastSeconds_ = 0.0;
+    bool quits_ = false;
+};
+
+Status Editor::startReplay() {
+    if (options_.playScript) {
+        Result<Replay> replay = Replay::read(*options_.playScript);
+        if (!replay) return Failure(replay.error());
+        replay_ = std::move(*replay);
+    }
+    if (options_.record) {
+        recording_.open(*options_.record);
+        if (!recording_) return failInFile(options_.record->string(), "cannot be written");
+    }
+    return {};
+}
+
+double Editor::waitSeconds() const {
+    if (automatic() || unsettled_ > 0 || app_.animates()) return 0.0;
+    return app_.hasToasts() ? kToastWaitSeconds : kIdleWaitSeconds;
+}
+
+std::vector<InputEvent> Editor::eventsOfFrame() {
+    std::vector<InputEvent> events = window_.input().takeFrame();
+    if (automatic()) events.clear();  // nobody else's hand
+    if (replay_) {
+        for (ScriptLine& line : replay_->take(frame_)) {
+            if (auto* event = std::get_if<InputEvent>(&line.what)) {
+                event->seconds = Window::seconds();
+                events.push_back(std::move(*event));
+            } else if (auto* shot = std::get_if<ScriptScreenshot>(&line.what)) {
+                screenshots_.push_back(std::move(shot->path));
+            } else {
+                quits_ = true;
+            }
+        }
+        if (replay_->done() && !quits_) replay_.reset();
+    }
+    if (recording_.is_open()) {
+        for (const InputEvent& event : events) {
+            const std::string line = writeScriptLine(frame_, event);
+            if (!line.empty()) recording_ << line << std::endl;
+        }
+    }
+    return events;
+}
+
+Status Editor::saveScreenshot(const std::filesystem::path& path) const {
+    return writePngFile(path, window_.readBackBuffer());
+}
+
+Status Editor::oneFrame() {
+    const std::vector<InputEvent> events = eventsOfFrame();
+    if (!events.empty()) unsettled_ = kFramesToSettle;
+    const double now = Window::seconds();
+    // A replay runs at one pace on every machine.
+    const double delta = automatic() ? 1.0 / 60.0 : now - lastSeconds_;
+    lastSeconds_ = now;
+
+    const Theme& theme = host_.updateTheme(app_.settings().window.theme);
+    host_.beginFrame(events, delta);
+    app_.frame(theme, events);
+    host_.applyCursor();
+    host_.endFrame(theme.window);
+    if (options_.screenshot && frame_ + 1 >= options_.frames) {
+        screenshots_.push_back(*options_.screenshot);
+        quits_ = true;
+    }
+    for (const auto& path : screenshots_) {
+        if (Status saved = saveScreenshot(path); !saved) return saved;
+    }
+    screenshots_.clear();
+    window_.swapBuffers();
+    window_.setTitle(app_.windowTitle());
+    return {};
+}
+
+Status Editor::run() {
+    lastSeconds_ = Window::seconds();
+    glm::ivec2 sizePx = window_.framebufferPx();
+    while (!quits_ && !app_.quits()) {
+        window_.pollEvents(window_.input().empty() ? waitSeconds() : 0.0);
+        if (window_.takeCloseRequest()) {
+            app_.requestQuit();
+            unsettled_ = kFramesToSettle;
+        }
+        if (window_.framebufferPx() != sizePx) {
+            sizePx = window_.framebufferPx();
+            unsettled_ = kFramesToSettle;
+        }
+        if (sizePx.x <= 0 || sizePx.y <= 0) continue;  // minimised
+        if (Status drawn = oneFrame(); !drawn) return drawn;
+        ++frame_;
+        unsettled_ = std::max(0, unsettled_ - 1);
+    }
+    return {};
+}
+
+}  // namespace
+}  // namespace editor
+
+Status runEditor(const EditorOptions& options) {
+    using namespace editor;
+    // A run that is not driven by a hand neither uses nor changes what the user chose.
+    const bool automatic = options.screenshot || options.playScript;
+    const EditorSettings settings = automatic ? EditorSettings{} : loadSettings(settingsPath());
+
+    Result<Window> window = Window::open("voxprite", options.windowPx, options.contentScale);
+    if (!window) return Failure(window.error());
+    Result<ImGuiHost> host = ImGuiHost::create(*window);
+    if (!host) return Failure(host.error());
+    Result<std::unique_ptr<App>> app = App::create(settings, options.layoutDump);
+    if (!app) return Failure(app.error());
+    if (options.profile) {
+        if (Status opened = (*app)->openProfileAtStart(*options.profile); !opened) return opened;
+    }
+    if (!options.files.empty()) {
+        if (Status opened = (*app)->openAtStart(options.files.front()); !opened) return opened;
+    }
+    Editor editor(options, *window, *host, **app);
+    if (Status started = editor.startReplay(); !started) return started;
+    if (Status ran = editor.run(); !ran) return ran;
+    if (automatic || (*app)->settings() == settings) return {};
+    return saveSettings(settingsPath(), (*app)->settings());
+}
+
+}  // namespace voxprite

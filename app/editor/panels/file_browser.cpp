@@ -1,0 +1,250 @@
+#include "app/editor/panels/file_browser.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+
+#include "app/editor/icons.h"
+#include "app/editor/widgets.h"
+
+namespace voxprite::editor {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string lower(std::string text) {
+    std::ranges::transform(text, text.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+std::string sizeText(std::uintmax_t bytes) {
+    std::array<char, 32> buffer{};
+    const double kib = static_cast<double>(bytes) / 1024.0;
+    std::snprintf(buffer.data(), buffer.size(), kib < 1024.0 ? "%.0f KiB" : "%.1f MiB",
+                  kib < 1024.0 ? std::max(1.0, kib) : kib / 1024.0);
+    return buffer.data();
+}
+
+}  // namespace
+
+void FileBrowser::open(Request request) {
+    request_ = std::move(request);
+    open_ = true;
+    appeared_ = false;
+    name_ = request_.name;
+    std::error_code ignored;
+    fs::path start = request_.folder;
+    if (!fs::is_directory(start, ignored)) start = fs::current_path(ignored);
+    enter(fs::absolute(start, ignored).lexically_normal());
+}
+
+void FileBrowser::enter(const fs::path& folder) {
+    folder_ = folder;
+    problem_.clear();
+    overwrite_.clear();
+    entries_.clear();
+    std::error_code failed;
+    for (fs::directory_iterator at(folder, failed), end; !failed && at != end;
+         at.increment(failed)) {
+        const std::string name = at->path().filename().string();
+        if (name.empty() || name[0] == '.') continue;
+        std::error_code ignored;
+        if (at->is_directory(ignored)) {
+            entries_.push_back({name, true});
+        } else if (std::ranges::find(request_.extensions, lower(at->path().extension().string())) !=
+                   request_.extensions.end()) {
+            entries_.push_back({name, false, at->file_size(ignored)});
+        }
+    }
+    if (failed) problem_ = failed.message();
+    std::ranges::sort(entries_, [](const Entry& a, const Entry& b) {
+        if (a.folder != b.folder) return a.folder;
+        return lower(a.name) < lower(b.name);
+    });
+}
+
+void FileBrowser::drawPath(Ui& ui) {
+    const Theme& theme = ui.theme;
+    const float square = theme.px(26);
+    if (iconButton(ui, "browser.up", icon::kUp, false, square, "The folder above")) {
+        enter(folder_.parent_path());
+    }
+    ImGui::SameLine(0.0f, theme.px(4));
+    if (iconButton(ui, "browser.home", icon::kHome, false, square, "Home")) {
+        if (const char* home = std::getenv("HOME")) enter(home);
+    }
+    ImGui::SameLine(0.0f, theme.px(8));
+    // The last parts of the path that fit, each a way back.
+    std::vector<fs::path> parts;
+    for (fs::path at = folder_; parts.size() < 4; at = at.parent_path()) {
+        parts.push_back(at);
+        if (at == at.parent_path()) break;
+    }
+    ImGui::AlignTextToFramePadding();
+    for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+        const std::string name = part->filename().empty() ? "/" : part->filename().string();
+        ImGui::PushID(part->c_str());
+        const bool last = part + 1 == parts.rend();
+        ImGui::PushStyleColor(ImGuiCol_Text, last ? theme.text : theme.textDim);
+        ImGui::PushStyleColor(ImGuiCol_Button, 0);
+        const bool pressed = ImGui::Button(name.c_str());
+        ImGui::PopStyleColor(2);
+        ImGui::PopID();
+        if (pressed && !last) {
+            enter(*part);
+            return;
+        }
+        if (last) break;
+        ImGui::SameLine(0.0f, 0.0f);
+        ImGui::TextDisabled("%s", icon::kRight);
+        ImGui::SameLine(0.0f, 0.0f);
+    }
+}
+
+void FileBrowser::drawList(Ui& ui, float height, bool& accepted) {
+    const Theme& theme = ui.theme;
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme.panel);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, theme.px(6, 6));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0f, theme.px(2)});
+    ImGui::BeginChild("files", {0, height}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    std::optional<fs::path> into;
+    for (const Entry& entry : entries_) {
+        ImGui::PushID(entry.name.c_str());
+        const std::string label =
+            std::string("  ") + (entry.folder ? icon::kFolder : icon::kFile) + "   " + entry.name;
+        ImGui::PushStyleColor(ImGuiCol_Text, entry.folder ? theme.textDim : theme.text);
+        ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0f, 0.5f});
+        const bool pressed = ImGui::Selectable(
+            label.c_str(), !entry.folder && entry.name == name_,
+            ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups,
+            {0, theme.px(26)});
+        ImGui::PopStyleVar();
+        ImGui::PopStyleColor();
+        ui.probe.markItem("browser.entry." + entry.name);
+        if (!entry.folder) {
+            const std::string size = sizeText(entry.bytes);
+            const ImVec2 max = ImGui::GetItemRectMax(), min = ImGui::GetItemRectMin();
+            const ImVec2 text = ImGui::CalcTextSize(size.c_str());
+            ImGui::GetWindowDrawList()->AddText(
+                {max.x - text.x - theme.px(8), std::round((min.y + max.y - text.y) * 0.5f)},
+                theme.textFaint, size.c_str());
+        }
+        if (pressed) {
+            const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+            if (entry.folder) {
+                into = folder_ / entry.name;
+            } else {
+                name_ = entry.name;
+                problem_.clear();
+                overwrite_.clear();
+                accepted = accepted || twice;
+            }
+        }
+        ImGui::PopID();
+    }
+    if (entries_.empty()) ImGui::TextDisabled("  Nothing here");
+    ImGui::EndChild();
+    ImGui::PopStyleVar(2);
+    ImGui::PopStyleColor();
+    if (into) enter(*into);
+}
+
+std::optional<fs::path> FileBrowser::accept() {
+    if (name_.empty()) {
+        problem_ = request_.saving ? "The file needs a name" : "Choose a file";
+        return std::nullopt;
+    }
+    fs::path path = folder_ / name_;
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) {
+        name_.clear();
+        enter(path.lexically_normal());
+        return std::nullopt;
+    }
+    if (!request_.saving) {
+        if (fs::exists(path, ignored)) return path;
+        problem_ = "There is no such file";
+        return std::nullopt;
+    }
+    const std::string extension = lower(path.extension().string());
+    if (std::ranges::find(request_.extensions, extension) == request_.extensions.end()) {
+        path += request_.extensions.front();
+    }
+    if (fs::exists(path, ignored) && overwrite_ != path.string()) {
+        overwrite_ = path.string();
+        problem_ = path.filename().string() + " exists. Press again to replace it";
+        return std::nullopt;
+    }
+    return path;
+}
+
+void FileBrowser::drawFooter(Ui& ui, bool& accepted) {
+    const Theme& theme = ui.theme;
+    const ImVec2 button(theme.px(96), theme.px(30));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, theme.px(10, 7));
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * (button.x + theme.px(8)));
+    if (!appeared_) ImGui::SetKeyboardFocusHere();
+    appeared_ = true;
+    if (ImGui::InputTextWithHint(
+            "##name", "File name", &name_,
+            ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll)) {
+        accepted = true;
+    }
+    if (ImGui::IsItemEdited()) problem_.clear();
+    ui.probe.markItem("browser.name");
+    ImGui::PopStyleVar();
+    ImGui::SameLine(0.0f, theme.px(8));
+    if (ImGui::Button("Cancel", button)) open_ = false;
+    ui.probe.markItem("browser.cancel");
+    ImGui::SameLine(0.0f, theme.px(8));
+    if (primaryButton(ui, request_.button.c_str(), button)) accepted = true;
+    ui.probe.markItem("browser.accept");
+}
+
+std::optional<fs::path> FileBrowser::draw(Ui& ui) {
+    if (!open_) return std::nullopt;
+    const Theme& theme = ui.theme;
+    constexpr const char* kId = "##browser";
+    if (!ImGui::IsPopupOpen(kId)) ImGui::OpenPopup(kId);
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const ImVec2 size(std::min(theme.px(720), display.x - theme.px(32)),
+                      std::min(theme.px(520), display.y - theme.px(32)));
+    ImGui::SetNextWindowSize(size);
+    ImGui::SetNextWindowPos(
+        {std::round((display.x - size.x) * 0.5f), std::round((display.y - size.y) * 0.5f)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, theme.px(20, 18));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, theme.px(10));
+    std::optional<fs::path> chosen;
+    if (ImGui::BeginPopupModal(
+            kId, nullptr,
+            ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
+        ImGui::PushFont(theme.fonts.bold);
+        ImGui::TextUnformatted(request_.title.c_str());
+        ImGui::PopFont();
+        ImGui::Dummy(theme.px(0, 2));
+        drawPath(ui);
+        bool accepted = false;
+        const float below = theme.px(30 + 14 + 20);
+        drawList(ui, ImGui::GetContentRegionAvail().y - below, accepted);
+        ImGui::PushStyleColor(ImGuiCol_Text, theme.danger);
+        ImGui::TextUnformatted(problem_.c_str());
+        ImGui::PopStyleColor();
+        drawFooter(ui, accepted);
+        if (accepted) chosen = accept();
+        if (chosen || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+            open_ = false;
+        }
+        if (!open_) ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar(2);
+    return chosen;
+}
+
+}  // namespace voxprite::editor

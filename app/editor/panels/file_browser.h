@@ -1,0 +1,50 @@
+// Choosing a file to open or a name to save under, inside the window.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/editor/ui.h"
+
+namespace voxprite::editor {
+
+class FileBrowser {
+  public:
+    struct Request {
+        std::string title;                    // "Open a model"
+        std::string button;                   // "Open"
+        bool saving = false;                  // else the file must exist
+        std::vector<std::string> extensions;  // ".vox", ...; the first is added when saving
+        std::filesystem::path folder;         // where to start
+        std::string name;                     // suggested
+    };
+    void open(Request request);
+    [[nodiscard]] bool isOpen() const { return open_; }
+    // Draws it while open; returns the path when one was chosen. Overwriting has been confirmed.
+    [[nodiscard]] std::optional<std::filesystem::path> draw(Ui& ui);
+
+  private:
+    struct Entry {
+        std::string name;
+        bool folder = false;
+        std::uintmax_t bytes = 0;
+    };
+    void enter(const std::filesystem::path& folder);
+    void drawPath(Ui& ui);
+    void drawList(Ui& ui, float height, bool& accepted);
+    [[nodiscard]] std::optional<std::filesystem::path> accept();
+    void drawFooter(Ui& ui, bool& accepted);
+
+    Request request_;
+    bool open_ = false;
+    bool appeared_ = false;
+    std::filesystem::path folder_;
+    std::vector<Entry> entries_;
+    std::string name_;
+    std::string problem_;    // why the name cannot be used
+    std::string overwrite_;  // the name whose overwriting is asked about
+};
+
+}  // namespace voxprite::editor
