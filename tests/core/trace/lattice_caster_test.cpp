@@ -219,6 +219,29 @@ TEST(LatticeCaster, TheLargestModelFits64Bits) {
     EXPECT_EQ(cast({far / 2, far / 2, far / 2}, {8192, 8192, -8192}), "nothing");
 }
 
+TEST(LatticeCaster, AWholeViewGivesTheSameHitsAsItsRays) {
+    std::mt19937 random(61);
+    for (const DenseModel& model : smallModels()) {
+        const NaiveOctree live(model, 7, {40, 9, 77});
+        std::vector<OrthoView> views;
+        for (const glm::dvec3& direction : canonicalDirections())
+            views.push_back(viewAlong(direction, 2));
+        for (int n = 0; n < 4; ++n) views.push_back(randomView(random, 3));
+        for (const OrthoView& view : views) {
+            const LatticeView lattice = quantiseView(view, model.size).value();
+            const LatticeCaster caster(live.view(), lattice);
+            for (int j = 0; j < lattice.size.y; ++j) {
+                for (int i = 0; i < lattice.size.x; ++i) {
+                    const glm::ivec2 pixel = lattice.first + glm::ivec2(i, j);
+                    const LatticeHit hit = caster.cast(pixel);
+                    const LatticeHit exact = castExact(model, rayOf(lattice, pixel));
+                    ASSERT_TRUE(sameHit(hit, exact)) << model.name << " pixel " << i << " " << j;
+                }
+            }
+        }
+    }
+}
+
 TEST(LatticeCaster, RaysOfAViewRoundDown) {
     LatticeView lattice;
     lattice.positionBits = 8;
