@@ -80,7 +80,7 @@ TEST(QuantiseView, StaysNearTheViewThatItQuantises) {
 }
 
 TEST(QuantiseView, TheLatticeIsAsFineAs31BitsAllow) {
-    const glm::dvec3 forward{1, 2.345, -1.2};
+    const glm::dvec3 forward{1, std::sqrt(5.0), -std::sqrt(1.7)};
     const auto bits = [&](double sigma, int edge) {
         return quantised(viewAlong(forward, sigma), glm::ivec3(edge)).positionBits;
     };
