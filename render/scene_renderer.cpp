@@ -129,7 +129,7 @@ Status SceneRenderer::Impl::paint(const SeenSprite& sprite, const Camera& camera
     } else {
         caster.bindInputs(octree, sprite.visible, sprite.lit);
         LatticePrograms& programs = buffered ? blitDeep : deep ? singleDeep : single;
-        const bool narrow = fitsNarrow(sprite.visible, octree.size());
+        const bool narrow = castsNarrow(sprite.visible, octree.size());
         if (const Status ready = programs.use(narrow); !ready) return ready;
     }
     const bool box = block.proxy_is_box != 0;

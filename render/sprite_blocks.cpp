@@ -110,6 +110,23 @@ LatticeBlock latticeBlock(const LatticeView& lattice, const GpuOctree& octree) {
     return block;
 }
 
+bool castsNarrow(const LatticeView& lattice, glm::ivec3 modelSize) {
+    if (!fitsNarrow(lattice, modelSize)) return false;
+    const glm::i64vec2 first(lattice.first);
+    const glm::i64vec2 last = first + glm::i64vec2(lattice.size);
+    const glm::i64vec2 farthest = glm::max(glm::abs(first), glm::abs(last));
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::int64_t toCentre = std::int64_t{modelSize[axis] / 2} << lattice.positionBits;
+        const std::int64_t start =
+            std::abs(lattice.C[axis] - toCentre) +
+            ((farthest.x * std::abs(lattice.U[axis]) + farthest.y * std::abs(lattice.V[axis])) >>
+             kStepShift);
+        const std::int64_t box = (std::int64_t{modelSize[axis]} + 1) << lattice.positionBits;
+        if (start + box >= std::int64_t{1} << 22) return false;
+    }
+    return true;
+}
+
 SpriteBlock bufferBlock(const LatticeView& lattice, const Outline& outline) {
     SpriteBlock block;
     // A rectangle over all of the target, whatever its size.

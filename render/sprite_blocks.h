@@ -55,6 +55,10 @@ static_assert(sizeof(SpriteBlock) == 320);
 // fragment at (0, 0).
 [[nodiscard]] LatticeBlock latticeBlock(const LatticeView& lattice, const GpuOctree& octree);
 
+// Can the shaders cast these rays in plain ints? All products must fit, and positions stay below
+// 2^22 steps, so that a quotient taken in single precision is off by one at most.
+[[nodiscard]] bool castsNarrow(const LatticeView& lattice, glm::ivec3 modelSize);
+
 // For drawing `lattice` into a buffer of its own, one fragment a virtual pixel.
 [[nodiscard]] SpriteBlock bufferBlock(const LatticeView& lattice, const Outline& outline);
 

@@ -102,7 +102,7 @@ Status SpriteCaster::cast(const GpuOctree& octree, const LatticeView& lattice,
         scratch_ = SpriteTextures(glm::max(scratch_.capacity, lattice.size));
     }
     bindInputs(octree, lattice, lit);
-    if (const Status ready = cast_.use(fitsNarrow(lattice, octree.size())); !ready) return ready;
+    if (const Status ready = cast_.use(castsNarrow(lattice, octree.size())); !ready) return ready;
     beginTarget(scratch_, lattice.size);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 
@@ -119,7 +119,7 @@ Status SpriteCaster::castSinglePass(const GpuOctree& octree, const LatticeView& 
                                     const LitPalette& lit, SpriteTextures& target) {
     bindInputs(octree, lattice, lit);
     spriteBlock_.set(BlockBinding::sprite, bufferBlock(lattice, lit.outline));
-    if (const Status ready = single_.use(fitsNarrow(lattice, octree.size())); !ready) return ready;
+    if (const Status ready = single_.use(castsNarrow(lattice, octree.size())); !ready) return ready;
     beginTarget(target, lattice.size);
     const glm::vec4 noColour(0.0f);
     const glm::uvec4 noId(kIdEmpty);

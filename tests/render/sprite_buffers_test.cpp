@@ -1,0 +1,228 @@
+// The promise of the integer lattice: CPU, GL sprite_buffer and GL single_pass give the same sprite
+// buffer, bit for bit.
+#include <cmath>
+#include <set>
+
+#include "render/scene_renderer.h"
+#include "render/sprite_blocks.h"
+#include "tests/render/gl_test.h"
+#include "tests/support/random.h"
+#include "tests/support/voxels.h"
+
+namespace voxprite {
+namespace {
+
+using test::GpuModel;
+using test::must;
+
+// Keeps software drawing quick; the refusal beyond kMaxBufferPixels is core/trace's.
+constexpr std::int64_t kMostPixels = 100'000;
+
+class SpriteBuffers : public test::GlTest {
+  protected:
+    void SetUp() override {
+        test::GlTest::SetUp();
+        renderer_.emplace(must(SceneRenderer::create()));
+        lit_ = litPalette(Palette::standard(), {255, 190, 120}, Outline{});
+    }
+    void TearDown() override {
+        EXPECT_GT(opaque_, 0U);
+        renderer_.reset();
+        test::GlTest::TearDown();
+    }
+
+    // Counts the lattices compared, by the path that the shaders take.
+    void compare(const GpuModel& model, const LatticeView& lattice, const std::string& what) {
+        const SpriteBuffer cpu = castSprite(model.octree.view(), lattice, lit_);
+        opaque_ += cpu.opaqueCount();
+        for (const SpriteMode mode : {SpriteMode::spriteBuffer, SpriteMode::singlePass}) {
+            const SpriteBuffer gl = must(renderer_->castBuffer(model.gpu, lattice, lit_, mode));
+            ASSERT_EQ(gl.size, cpu.size) << what;
+            EXPECT_EQ(gl.first, cpu.first) << what;
+            EXPECT_EQ(gl.sha256(), cpu.sha256()) << what << ", mode " << static_cast<int>(mode);
+            EXPECT_EQ(gl.idsSha256(), cpu.idsSha256())
+                << what << ", mode " << static_cast<int>(mode);
+        }
+        ++(castsNarrow(lattice, model.octree.size) ? narrow_ : wide_);
+    }
+
+    void compareViews(const VoxelGrid& voxels, const std::string& name,
+                      const std::vector<OrbitAngles>& views, const std::vector<double>& sigmas) {
+        const GpuModel model(voxels);
+        std::size_t next = 0;
+        for (const OrbitAngles& angles : views) {
+            // Each view at the next sigma that keeps the buffer small: all pairs are met in turn.
+            for (std::size_t tries = 0; tries < sigmas.size(); ++tries) {
+                const double sigma = sigmas[next++ % sigmas.size()];
+                const Result<LatticeView> lattice =
+                    quantiseView(test::orthoView(angles, sigma), model.octree.size);
+                if (!lattice || std::int64_t{lattice->size.x} * lattice->size.y > kMostPixels) {
+                    continue;
+                }
+                compare(model, *lattice,
+                        name + " at yaw " + std::to_string(angles.yawDegrees) + ", pitch " +
+                            std::to_string(angles.pitchDegrees) + ", roll " +
+                            std::to_string(angles.rollDegrees) + ", sigma " +
+                            std::to_string(sigma));
+                break;
+            }
+        }
+    }
+
+    int narrow_ = 0;
+    int wide_ = 0;
+    std::uint64_t opaque_ = 0;
+    std::optional<SceneRenderer> renderer_;
+    LitPalette lit_;
+};
+
+const double kIsometricPitch = std::atan(std::sqrt(0.5)) * 180.0 / 3.14159265358979323846;
+const std::vector<double> kSigmas{1.0, 2.0, 3.0, 4.0, 7.5, 16.0, 0.5};
+
+// Along the axes, along face diagonals, along space diagonals, and anywhere.
+std::vector<OrbitAngles> allKindsOfViews(int randomViews, std::uint64_t seed) {
+    std::vector<OrbitAngles> views;
+    for (const double pitch : {0.0, 45.0, kIsometricPitch, -kIsometricPitch, -45.0}) {
+        for (int eighth = 0; eighth < 8; ++eighth) views.push_back({45.0 * eighth, pitch, 0.0});
+    }
+    for (const double pitch : {90.0, -90.0}) {
+        for (int quarter = 0; quarter < 4; ++quarter) views.push_back({90.0 * quarter, pitch, 0.0});
+    }
+    test::Random random(seed);
+    for (int i = 0; i < randomViews; ++i) {
+        views.push_back({360.0 * random.unit(), 180.0 * random.unit() - 90.0,
+                         i % 3 == 0 ? 360.0 * random.unit() : 0.0});
+    }
+    return views;
+}
+
+VoxelGrid scattered(std::uint64_t seed, glm::ivec3 size, int count) {
+    VoxelGrid voxels;
+    test::Random random(seed);
+    for (int i = 0; i < count; ++i) {
+        const glm::ivec3 v = random.voxel(0, 1 << 20) % size;
+        voxels.fill(IBox::around(v, glm::min(v + random.voxel(0, 12), size - 1)),
+                    static_cast<std::uint8_t>(random.between(1, 255)));
+    }
+    // The corners fix the size.
+    voxels.set(glm::ivec3(0), 1);
+    voxels.set(size - 1, 2);
+    return voxels;
+}
+
+TEST_F(SpriteBuffers, AsymmetricModelFromEverywhere) {
+    compareViews(test::asymmetric(), "asymmetric", allKindsOfViews(40, 1), kSigmas);
+    EXPECT_GE(narrow_, 88);
+}
+
+TEST_F(SpriteBuffers, FigureFromEverywhere) {
+    compareViews(test::figure(), "figure", allKindsOfViews(40, 2), kSigmas);
+    EXPECT_GE(narrow_, 88);
+}
+
+TEST_F(SpriteBuffers, NoiseHasATieAtEveryTurn) {
+    compareViews(test::randomVoxels(7, {21, 18, 33}, 0.06, 255), "noise", allKindsOfViews(20, 3),
+                 kSigmas);
+    compareViews(test::randomVoxels(8, {64, 64, 64}, 0.01, 255), "sparse noise",
+                 allKindsOfViews(10, 4), kSigmas);
+    EXPECT_GE(narrow_, 120);
+}
+
+TEST_F(SpriteBuffers, OneVoxelAndARod) {
+    compareViews(test::solidBox({1, 1, 1}, 9), "one voxel", allKindsOfViews(20, 5),
+                 {1.0, 2.0, 3.0, 4.0, 7.5, 16.0, 0.5, 64.0, 1.0 / 64.0});
+    compareViews(test::solidBox({1, 1, 256}, 9), "rod", allKindsOfViews(20, 6), kSigmas);
+    compareViews(test::solidBox({256, 1, 1}, 9), "lying rod", allKindsOfViews(5, 7), kSigmas);
+    EXPECT_GE(narrow_, 150);
+}
+
+TEST_F(SpriteBuffers, LargeModels) {
+    const std::vector<OrbitAngles> views{{0, 0, 0},   {45, 0, 0},    {45, kIsometricPitch, 0},
+                                         {0, 90, 0},  {225, -45, 0}, {17.3, 41.1, 0},
+                                         {211, -9, 5}};
+    compareViews(scattered(9, {256, 256, 256}, 60), "256 cubed", views, {0.5, 1.0});
+    compareViews(scattered(10, {300, 300, 300}, 60), "300 cubed", views, {0.5, 1.0});
+    compareViews(scattered(11, {65'536, 40, 700}, 60), "long slab", views, {1.0 / 64.0});
+    EXPECT_GE(narrow_ + wide_, 18);
+    EXPECT_GE(wide_, 4);
+}
+
+// The same views on a lattice 16 times finer: too fine for 31 bits.
+TEST_F(SpriteBuffers, FineLatticesTakeTheWidePath) {
+    const GpuModel model(test::figure());
+    for (const OrbitAngles& angles : allKindsOfViews(6, 12)) {
+        LatticeView lattice = must(quantiseView(test::orthoView(angles, 2.0), model.octree.size));
+        lattice.positionBits += 4;
+        lattice.C *= 16;
+        lattice.U *= 16;
+        lattice.V *= 16;
+        const PixelBounds bounds = must(pixelBounds(lattice, model.octree.size));
+        lattice.first = bounds.first;
+        lattice.size = bounds.size;
+        compare(model, lattice, "yaw " + std::to_string(angles.yawDegrees));
+    }
+    EXPECT_GE(wide_, 50);
+}
+
+// Short directions at many position bits: quotients far beyond what single precision holds.
+TEST_F(SpriteBuffers, ManyPositionBitsAndShortDirections) {
+    const GpuModel model(scattered(14, {400, 30, 300}, 50));
+    for (const glm::ivec3 direction :
+         {glm::ivec3(0, 1, 0), glm::ivec3(1, 1, 0), glm::ivec3(1, -2, 1), glm::ivec3(-1, 3, 2)}) {
+        LatticeView lattice;
+        lattice.positionBits = 16;
+        lattice.C = model.octree.size / 2 * (1 << 16) + 12345;
+        lattice.D = direction;
+        lattice.U = {1 << 28, 0, 0};
+        lattice.V = {0, 0, 1 << 28};
+        const PixelBounds bounds = must(pixelBounds(lattice, model.octree.size));
+        lattice.first = bounds.first;
+        lattice.size = bounds.size;
+        compare(model, lattice, "direction of z " + std::to_string(direction.z));
+    }
+}
+
+// The live octree keeps an origin of its own; bounds may even reach beyond its root.
+TEST_F(SpriteBuffers, LiveOctreesWithTheirOwnOrigin) {
+    LiveOctree live;
+    const VoxelGrid figure = test::figure();
+    ASSERT_TRUE(live.rebuild(figure));
+    const std::vector<LiveOctree::Edit> edits{{{-9, 3, 5}, 7}, {{20, -4, 2}, 8}, {{3, 3, 40}, 9}};
+    ASSERT_TRUE(live.apply(edits));
+    GpuOctree gpu;
+    for (const IBox& bounds : {IBox{{-9, -4, 0}, {21, 8, 41}}, IBox{{-60, -50, -40}, {70, 80, 90}},
+                               IBox{{0, 0, 0}, {16, 8, 32}}, IBox{{2, 1, 3}, {11, 6, 25}}}) {
+        const OctreeView view = live.view(bounds);
+        gpu.upload(view);
+        for (const OrbitAngles& angles : allKindsOfViews(4, 13)) {
+            const LatticeView lattice =
+                must(quantiseView(test::orthoView(angles, 1.0), bounds.size()));
+            const SpriteBuffer cpu = castSprite(view, lattice, lit_);
+            const SpriteBuffer gl =
+                must(renderer_->castBuffer(gpu, lattice, lit_, SpriteMode::spriteBuffer));
+            EXPECT_EQ(gl.idsSha256(), cpu.idsSha256());
+            opaque_ += cpu.opaqueCount();
+        }
+    }
+}
+
+TEST_F(SpriteBuffers, WithoutOutline) {
+    lit_.outline.enabled = false;
+    compareViews(test::figure(), "figure", {{30, 20, 0}, {0, 0, 0}}, {4.0, 1.0});
+    lit_.outline = {true, {200, 10, 250, 255}};
+    compareViews(test::figure(), "figure", {{30, 20, 0}, {0, 0, 0}}, {4.0, 1.0});
+}
+
+// Larger than a tile of the caster in one direction: the seams must not show.
+TEST_F(SpriteBuffers, BuffersOfSeveralTiles) {
+    const GpuModel model(test::solidBox({1, 1, 300}, 3));
+    for (const OrbitAngles& angles : {OrbitAngles{0, 0, 0}, OrbitAngles{20, 10, 90}}) {
+        const LatticeView lattice =
+            must(quantiseView(test::orthoView(angles, 16.0), model.octree.size));
+        ASSERT_GT(std::max(lattice.size.x, lattice.size.y), 2 * 2048);
+        compare(model, lattice, "tiles");
+    }
+}
+
+}  // namespace
+}  // namespace voxprite
