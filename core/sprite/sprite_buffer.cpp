@@ -88,6 +88,7 @@ SpriteBuffer castSprite(const OctreeView& octree, const LatticeView& lattice, co
     buffer.size = glm::max(lattice.size, glm::ivec2(0));
     buffer.colours.assign(area(buffer.size), Rgba8(0));
     buffer.ids.assign(area(buffer.size), kIdEmpty);
+    const LatticeCaster caster(octree, lattice);
     parallelFor(buffer.size.y, threads, [&](int firstRow, int lastRow) {
         std::size_t at =
             static_cast<std::size_t>(firstRow) * static_cast<std::size_t>(buffer.size.x);
@@ -95,7 +96,7 @@ SpriteBuffer castSprite(const OctreeView& octree, const LatticeView& lattice, co
             for (int column = 0; column < buffer.size.x; ++column, ++at) {
                 const glm::ivec2 pixel{lattice.first.x + column,
                                        lattice.first.y + buffer.size.y - 1 - row};
-                const LatticeHit hit = castLattice(octree, rayOf(lattice, pixel));
+                const LatticeHit hit = caster.cast(pixel);
                 if (hit.material == 0) continue;
                 buffer.colours[at] = lit.shade(hit.material, hit.faceAxis);
                 buffer.ids[at] = idOf(hit.voxel, octree.size);

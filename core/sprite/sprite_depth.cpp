@@ -39,8 +39,8 @@ double nearestGround(const SpriteView& view, const Camera& camera, double height
 }
 
 // Where the ray enters the voxel it hit, in voxels.
-glm::dvec3 entryPoint(const LatticeView& lattice, const LatticeRay& ray, glm::ivec3 voxel) {
-    const double stepsPerVoxel = std::ldexp(1.0, lattice.positionBits);
+glm::dvec3 entryPoint(const LatticeRay& ray, glm::ivec3 voxel) {
+    const double stepsPerVoxel = std::ldexp(1.0, ray.positionBits);
     double t = -std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
         const int direction = ray.direction[axis];
@@ -72,6 +72,7 @@ std::vector<float> pixelDepths(const SpriteView& view, const OctreeView& octree,
     const auto width = static_cast<std::size_t>(buffer.size.x);
     std::vector<float> depths(buffer.ids.size(), none);
     const glm::dvec3 centre = glm::dvec3(octree.size) * 0.5;
+    const LatticeCaster caster(octree, view.lattice);
     parallelFor(buffer.size.y, threads, [&](int firstRow, int lastRow) {
         for (int row = firstRow; row < lastRow; ++row)
             for (int column = 0; column < buffer.size.x; ++column) {
@@ -80,9 +81,9 @@ std::vector<float> pixelDepths(const SpriteView& view, const OctreeView& octree,
                 if (buffer.ids[at] < kIdFirstVoxel) continue;
                 const glm::ivec2 pixel{buffer.first.x + column,
                                        buffer.first.y + buffer.size.y - 1 - row};
-                const LatticeRay ray = rayOf(view.lattice, pixel);
-                const LatticeHit hit = castLattice(octree, ray);
-                const glm::dvec3 fromCentre = entryPoint(view.lattice, ray, hit.voxel) - centre;
+                const glm::ivec3 voxel = caster.cast(pixel).voxel;
+                const glm::dvec3 fromCentre =
+                    entryPoint(rayOf(view.lattice, pixel), voxel) - centre;
                 const double depth =
                     view.planeDepthMetres + glm::dot(view.depthPerVoxelMetres, fromCentre);
                 depths[at] = static_cast<float>(std::max(depth, view.depthMetres));

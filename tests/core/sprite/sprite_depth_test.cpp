@@ -98,7 +98,7 @@ TEST(GroundSafe, HidesNoPixelWhereCentreDepthHidesMany) {
         for (const GroundCase& one : groundCases()) {
             double worstCentre = 0.0;
             for (const double pitch : {15.0, 30.0})
-                for (const double yaw : {0.0, 35.0, 90.0}) {
+                for (const double yaw : {0.0, 35.0}) {
                     const Camera camera = smallOrbit(yaw, pitch);
                     GameProfile profile = profileWith(DepthRule::centre);
                     profile.view = rule;

@@ -269,14 +269,14 @@ TEST(ViewSprite, RefusesNumbersThatAreNone) {
             EXPECT_TRUE(std::isfinite(result->view->depthMetres));
         }
     }
+    PlacedEntity large = entity;
+    large.modelSize = glm::ivec3(200);
+    large.anchorMetres = {0, 0, -50};
     GameProfile dense;
     dense.sigma = 64.0;
-    const auto tooLarge =
-        viewSprite(solidBox({200, 200, 200}).centredAt({0, 0, -50}, dense), camera, dense);
-    EXPECT_TRUE(tooLarge.has_value());  // minified
+    EXPECT_TRUE(viewSprite(large, camera, dense));  // minified
     dense.minification = false;
-    const auto refused =
-        viewSprite(solidBox({200, 200, 200}).centredAt({0, 0, -50}, dense), camera, dense);
+    const auto refused = viewSprite(large, camera, dense);
     ASSERT_FALSE(refused.has_value());
     EXPECT_THAT(refused.error().message, testing::HasSubstr("16777216"));
 }
