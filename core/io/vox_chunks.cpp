@@ -14,6 +14,12 @@ constexpr int kOfficialSize = 256;
 constexpr int kMaxSize = 2048;
 constexpr std::size_t kMaxWarnings = 64;
 
+// What the grid of a model takes, roughly: a block of 8 x 8 x 8 voxels, and inner nodes in each of
+// the eight octants around the pivot.
+constexpr std::uint64_t kBytesPerBlock = 640;
+constexpr std::uint64_t kBytesPerModel = 8 * 9000;
+constexpr std::uint64_t kBlockAllowance = std::uint64_t{1} << 30;
+
 struct ChunkHeader {
     std::string id;
     std::uint64_t offset = 0;  // of the id
@@ -69,8 +75,32 @@ Result<ChunkHeader> readHeader(ByteReader& reader) {
     return header;
 }
 
+// Counts the blocks that the voxels of one model fall into. Positions are bytes.
+class BlockCount {
+  public:
+    explicit BlockCount(glm::ivec3 pivot) : shift_(7 - (pivot + 7) % 8) {}
+
+    void add(glm::ivec3 position) {
+        const glm::ivec3 block = (position + shift_) / 8;
+        const auto index = static_cast<std::size_t>((block.x * kEdge + block.y) * kEdge + block.z);
+        if (seen_[index]) return;
+        seen_[index] = true;
+        ++count_;
+    }
+    [[nodiscard]] std::uint64_t count() const { return count_; }
+
+  private:
+    static constexpr int kEdge = 33;  // (255 + 7) / 8 + 1
+    glm::ivec3 shift_;                // so that blocks begin where those of the grid do
+    std::vector<bool> seen_ = std::vector<bool>(kEdge * kEdge * kEdge);
+    std::uint64_t count_ = 0;
+};
+
 class ChunkParser {
   public:
+    explicit ChunkParser(std::uint64_t fileBytes)
+        : maxBlockBytes_(kBlockAllowance + 32 * fileBytes) {}
+
     Status chunk(const std::string& id, VoxFields& fields) {
         if (id == "SIZE") {
             parseSize(fields);
@@ -158,6 +188,7 @@ class ChunkParser {
         const glm::ivec3 pivot = canvas / 2;
         model.canvas = {-pivot, canvas - pivot};
         std::size_t colourless = 0;
+        BlockCount blocks(pivot);
         for (std::size_t i = 0; i < voxels.size(); i += 4) {
             const glm::ivec3 v(voxels[i], voxels[i + 1], voxels[i + 2]);
             if (!IBox{glm::ivec3(0), size_}.contains(v)) {
@@ -170,7 +201,13 @@ class ChunkParser {
                 ++colourless;
             } else {
                 model.voxels.set(v - pivot, voxels[i + 3]);
+                blocks.add(v);
             }
+        }
+        if (blocks.count() > 0) blockBytes_ += kBytesPerModel + blocks.count() * kBytesPerBlock;
+        if (blockBytes_ > maxBlockBytes_) {
+            fields.refuse(at, "the voxels are so scattered that they would take more than " +
+                                  std::to_string(maxBlockBytes_ >> 20) + " MiB");
         }
         if (colourless > 0) {
             file_.warnings.add("model " + std::to_string(file_.models.size()) + ": " +
@@ -214,6 +251,8 @@ class ChunkParser {
     }
 
     VoxFile file_;
+    std::uint64_t maxBlockBytes_;
+    std::uint64_t blockBytes_ = 0;
     glm::ivec3 size_{0};
     std::optional<std::uint64_t> sizeOffset_;  // set between a SIZE and its XYZI
     std::optional<std::int64_t> packedModels_;
@@ -249,7 +288,7 @@ Result<VoxFile> parseVox(ByteView bytes) {
     Result<ByteReader> chunks = reader.sub(main->childBytes, "chunk MAIN");
     if (!chunks) return tl::unexpected(chunks.error());
 
-    ChunkParser parser;
+    ChunkParser parser(bytes.size());
     while (!chunks->atEnd()) {
         const Result<ChunkHeader> header = readHeader(*chunks);
         if (!header) return tl::unexpected(header.error());

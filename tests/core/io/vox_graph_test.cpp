@@ -263,7 +263,7 @@ VoxBuilder nested(int levels) {
 
 TEST(VoxGraph, DeepNestingIsBoundedAndNeverOverflowsTheStack) {
     EXPECT_EQ(flatten(read(nested(1000)), 0).solidCount(), 1u);
-    const Result<VoxImport> import = readVox(nested(200'000).bytes());
+    const Result<VoxImport> import = readVox(nested(100'000).bytes());
     ASSERT_FALSE(import);
     EXPECT_THAT(import.error().message, HasSubstr("nested deeper"));
     EXPECT_TRUE(import.error().offset);

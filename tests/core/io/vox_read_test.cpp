@@ -325,6 +325,17 @@ TEST(VoxRead, WhatFollowsTheLastChunkIsNoHarm) {
     EXPECT_THAT(import->warnings, ElementsAre("1 bytes follow after the last chunk"));
 }
 
+// Single voxels take whole blocks of the grid: many models of a few are refused before they fill
+// the memory.
+TEST(VoxRead, ScatteredVoxelsAreBounded) {
+    VoxBuilder builder;
+    for (int i = 0; i < 20'000; ++i) builder.model({1, 1, 1}, {{0, 0, 0, 1}});
+    const Result<VoxImport> import = readVox(builder.bytes());
+    ASSERT_FALSE(import);
+    EXPECT_THAT(import.error().message, HasSubstr("so scattered"));
+    EXPECT_TRUE(import.error().offset);
+}
+
 TEST(VoxRead, WarningsAreBounded) {
     VoxBuilder builder;
     for (int i = 0; i < 1000; ++i) builder.model({1, 1, 1}, {{0, 0, 0, 0}});
