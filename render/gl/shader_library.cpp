@@ -70,6 +70,7 @@ std::string namedLog(std::string_view log, const std::vector<std::string>& files
         if (readNumber(line, at, file) && at < line.size() &&
             (line[at] == ':' || line[at] == '(') && readNumber(line, ++at, number) &&
             file < files.size()) {
+            if (at < line.size() && line[at] == ')') ++at;
             line = files[file] + ":" + std::to_string(number) + line.substr(at);
         }
         out += (out.empty() ? "" : "\n") + line;

@@ -1,0 +1,194 @@
+// The edit view shows the voxels that picking finds, at their true depth.
+#include "render/voxel_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/trace/lattice_caster.h"
+#include "tests/render/gl_test.h"
+#include "tests/support/voxels.h"
+
+namespace voxprite {
+namespace {
+
+using test::GpuModel;
+using test::must;
+
+constexpr glm::ivec2 kViewport{200, 180};
+
+class VoxelViews : public test::GlTest {
+  protected:
+    // Nothing on the faces but their own colour, at full light.
+    static VoxelViewOptions plain() {
+        VoxelViewOptions options;
+        options.edges = false;
+        options.ground = false;
+        options.light.ambient = 1.0;
+        return options;
+    }
+    static Camera camera(const PlacedEntity& placed, const OrbitAngles& angles, double distance) {
+        return orbitCamera(angles, placed.centreMetres(), distance * placed.radiusMetres(), 45.0,
+                           kViewport);
+    }
+
+    struct Expected {
+        std::uint8_t material = 0;
+        float depth = 0.0f;
+    };
+    static Expected pick(const GpuModel& model, const PlacedEntity& placed, const Camera& camera,
+                         glm::dvec2 screenPx) {
+        const Camera::Ray ray = camera.rayThrough(screenPx);
+        const glm::dmat3 voxelAxes = glm::transpose(placed.worldFromVoxelAxes);
+        const double perVoxel = placed.metresPerVoxel();
+        const glm::dvec3 eye =
+            voxelAxes * (ray.origin - placed.anchorMetres) / perVoxel + placed.anchor;
+        const glm::dvec3 direction = voxelAxes * ray.direction;
+        const PerspectiveHit hit = castPerspective(model.octree.view(), eye, direction);
+        if (hit.hit.material == 0) return {};
+        const double metres = hit.t * perVoxel * glm::dot(ray.direction, camera.forward);
+        return {hit.hit.material, camera.reversedDepth(metres)};
+    }
+
+    // Compares a picture with picking; silhouettes and edges between two voxels are where single
+    // precision may fall on the other side.
+    static void expectAgreement(const GpuModel& model, const PlacedEntity& placed,
+                                const Camera& camera) {
+        VoxelView view = must(VoxelView::create());
+        Frame frame(kViewport);
+        view.draw(frame, model.gpu, model.palette, placed, camera, plain());
+        const Image colour = frame.readColour();
+        const std::vector<float> depth = frame.readDepth();
+        int hits = 0;
+        int wrong = 0;
+        for (int y = 0; y < kViewport.y; ++y) {
+            for (int x = 0; x < kViewport.x; ++x) {
+                const auto at = static_cast<std::size_t>(y * kViewport.x + x);
+                const Expected expected = pick(model, placed, camera, glm::dvec2(x, y) + 0.5);
+                hits += expected.material != 0;
+                const bool sameColour =
+                    expected.material == 0
+                        ? depth[at] == 0.0f
+                        : colour.at(x, y) == model.palette.colours[expected.material];
+                const bool sameDepth =
+                    std::abs(depth[at] - expected.depth) <= 1e-4f * expected.depth;
+                wrong += !sameColour || !sameDepth;
+            }
+        }
+        EXPECT_GT(hits, 1500);
+        EXPECT_LE(wrong, kViewport.x * kViewport.y / 1000);
+    }
+};
+
+TEST_F(VoxelViews, EveryPixelShowsTheVoxelThatPickingFinds) {
+    GpuModel letters(test::asymmetric());
+    GpuModel noise(test::randomVoxels(3, {17, 30, 23}, 0.2, 200));
+    const GameProfile profile;
+    for (GpuModel* model : {&letters, &noise}) {
+        for (auto& colour : model->palette.colours) colour.w = 255;
+        const PlacedEntity placed = model->placedAt({3.0, 1.0, -2.0}, profile, 20.0);
+        for (const OrbitAngles& angles :
+             {OrbitAngles{35, 25, 0}, OrbitAngles{0, 0, 0}, OrbitAngles{200, -40, 10},
+              OrbitAngles{90, 90, 0}, OrbitAngles{-45, 35.264389682754654, 0}}) {
+            expectAgreement(*model, placed, camera(placed, angles, 3.0));
+        }
+        Camera parallel = camera(placed, {20, 30, 0}, 3.0);
+        parallel.orthographic = true;
+        parallel.orthographicHeightMetres = 2.4 * placed.radiusMetres();
+        expectAgreement(*model, placed, parallel);
+    }
+}
+
+TEST_F(VoxelViews, TheEyeMayBeInsideTheModelsBox) {
+    VoxelGrid room;
+    room.fill(IBox{{0, 0, 0}, {40, 40, 40}}, 1);
+    room.fill(IBox{{2, 2, 2}, {38, 38, 38}}, 0);
+    room.fill(IBox{{20, 20, 5}, {24, 23, 30}}, 40);
+    GpuModel model(room);
+    const PlacedEntity placed = model.placedAt({0, 0, 0}, GameProfile{});
+    expectAgreement(model, placed, camera(placed, {15, 10, 0}, 0.4));
+}
+
+TEST_F(VoxelViews, SolidSurfacesHaveNoCracks) {
+    // All the viewport is one large wall of many bricks, seen at a slant.
+    VoxelGrid wall = test::randomVoxels(4, {128, 4, 128}, 1.0, 2);
+    GpuModel model(wall);
+    const PlacedEntity placed = model.placedAt({0, 0, 0}, GameProfile{});
+    VoxelView view = must(VoxelView::create());
+    Frame frame(kViewport);
+    for (const OrbitAngles& angles : {OrbitAngles{0, 0, 0}, OrbitAngles{12, 7, 3},
+                                      OrbitAngles{30, 30, 0}, OrbitAngles{45, 0, 0}}) {
+        view.draw(frame, model.gpu, model.palette, placed, camera(placed, angles, 0.3), plain());
+        const std::vector<float> depth = frame.readDepth();
+        EXPECT_EQ(std::ranges::count(depth, 0.0f), 0);
+    }
+}
+
+TEST_F(VoxelViews, LiveBoundsBeyondTheRoot) {
+    LiveOctree live;
+    ASSERT_TRUE(live.rebuild(test::figure()));
+    const IBox bounds{{-30, -30, -30}, {60, 60, 60}};
+    GpuModel model(test::figure());
+    model.gpu.upload(live.view(bounds));
+    Entity entity;
+    const PlacedEntity placed = placeEntity(entity, bounds, GameProfile{});
+    VoxelView view = must(VoxelView::create());
+    Frame frame(kViewport);
+    view.draw(frame, model.gpu, model.palette, placed, camera(placed, {30, 20, 0}, 1.2), plain());
+    const std::vector<float> depth = frame.readDepth();
+    EXPECT_GT(std::ranges::count_if(depth, [](float d) { return d > 0.0f; }), 500);
+}
+
+TEST_F(VoxelViews, NothingButBackgroundWithoutVoxels) {
+    VoxelView view = must(VoxelView::create());
+    Frame frame(kViewport);
+    const GpuOctree empty;
+    view.draw(frame, empty, Palette::standard(), PlacedEntity{}, Camera{}, VoxelViewOptions{});
+    const std::vector<float> depth = frame.readDepth();
+    EXPECT_EQ(std::ranges::count(depth, 0.0f), static_cast<std::ptrdiff_t>(depth.size()));
+    Octree none = must(bake(VoxelGrid{}));
+    GpuOctree baked;
+    baked.upload(none.view());
+    view.draw(frame, baked, Palette::standard(), PlacedEntity{}, Camera{}, VoxelViewOptions{});
+    for (const Rgba8 pixel : frame.readColour().pixels) EXPECT_EQ(pixel.w, 255);
+}
+
+TEST_F(VoxelViews, EdgesAndGridAreSeenAndFacesDiffer) {
+    const GpuModel model(test::solidBox({4, 4, 4}, 40));
+    const PlacedEntity placed = model.placedAt({0, 0, 0}, GameProfile{});
+    const Camera view = camera(placed, {30, 30, 0}, 3.0);
+    VoxelView renderer = must(VoxelView::create());
+    Frame frame(kViewport);
+    const auto colours = [&](const VoxelViewOptions& options) {
+        renderer.draw(frame, model.gpu, model.palette, placed, view, options);
+        return frame.readColour();
+    };
+    VoxelViewOptions options;
+    options.edges = false;
+    options.ground = false;
+    const Image bare = colours(options);
+    std::vector<Rgba8> faces;
+    const std::vector<float> depth = frame.readDepth();
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        if (depth[i] > 0.0f && std::ranges::find(faces, bare.pixels[i]) == faces.end()) {
+            faces.push_back(bare.pixels[i]);
+        }
+    }
+    EXPECT_EQ(faces.size(), 3U);
+    options.edges = true;
+    const Image edged = colours(options);
+    options.ground = true;
+    const Image grounded = colours(options);
+    int darker = 0;
+    int gridded = 0;
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        darker += depth[i] > 0.0f && edged.pixels[i].y < bare.pixels[i].y;
+        EXPECT_LE(edged.pixels[i].y, bare.pixels[i].y);
+        gridded += depth[i] == 0.0f && grounded.pixels[i] != edged.pixels[i];
+    }
+    EXPECT_GT(darker, 300);
+    EXPECT_GT(gridded, 300);
+}
+
+}  // namespace
+}  // namespace voxprite
