@@ -14,9 +14,10 @@ constexpr double kMaxSigma = 64.0;
 constexpr double kMinStepsPerPx = 16.0;
 constexpr int kMaxSpritePositionBits = 12;
 constexpr int kMaxModelEdge = 1 << 16;
-constexpr int kMaxPositionBits = 16;
+constexpr int kMaxPositionBits = 13;
 constexpr int kMaxDirectionBits = 13;
 constexpr int kMaxLatticeCoordinate = 1 << 28;
+constexpr std::int64_t kMaxStart = std::int64_t{1} << 30;  // of a ray, in lattice steps
 
 // Determinants of a lattice's vectors take more than 64 bits.
 __extension__ using Int128 = __int128;
@@ -108,6 +109,22 @@ Interval pixelInterval(const LatticeView& lattice, glm::ivec3 modelSize, glm::i6
     return {ceilDiv(low * scale, determinant), floorDiv(high * scale, determinant)};
 }
 
+// Rays start in the plane of U and V. Where that plane runs almost along D, a ray that meets the
+// box may start far away; the walk's 64 bits have room for kMaxStart.
+bool startsNearby(const LatticeView& lattice, const PixelBounds& bounds) {
+    const glm::i64vec2 first(bounds.first);
+    const glm::i64vec2 last = first + glm::i64vec2(bounds.size) - std::int64_t{1};
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const std::int64_t i : {first.x, last.x}) {
+            for (const std::int64_t j : {first.y, last.y}) {
+                const std::int64_t offset = i * lattice.U[axis] + j * lattice.V[axis];
+                if (std::abs(lattice.C[axis] + (offset >> kStepShift)) > kMaxStart) return false;
+            }
+        }
+    }
+    return true;
+}
+
 bool orthonormal(const OrthoView& view) {
     constexpr double kTolerance = 1e-6;
     const auto dotOf = [](glm::dvec3 a, glm::dvec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
@@ -191,8 +208,11 @@ Result<PixelBounds> pixelBounds(const LatticeView& lattice, glm::ivec3 modelSize
         width * height > kMaxBufferPixels)
         return fail("this view needs a sprite buffer of more than the " +
                     std::to_string(kMaxBufferPixels) + " pixels allowed");
-    return PixelBounds{{static_cast<int>(i.first) - 1, static_cast<int>(j.first) - 1},
-                       {static_cast<int>(width), static_cast<int>(height)}};
+    const PixelBounds bounds{{static_cast<int>(i.first) - 1, static_cast<int>(j.first) - 1},
+                             {static_cast<int>(width), static_cast<int>(height)}};
+    if (!startsNearby(lattice, bounds))
+        return fail("a ray of the lattice starts more than 2^30 steps from the model");
+    return bounds;
 }
 
 Status validateLattice(const LatticeView& lattice, glm::ivec3 modelSize) {

@@ -17,8 +17,7 @@
 //   2. An empty node is left by the least key of its three upper faces, unless that comes after the
 //      line has left the box.
 //   3. The highest bit that this changes in the coordinate tells which ancestor holds both nodes;
-//   go
-//      on from there (Laine & Karras 2010).
+//      go on from there (Laine & Karras 2010).
 //
 // 64 bits are enough: a key needs two bits more than the distance of a face from the ray's start
 // and twice the direction's bits. Distances on a lattice that pixelBounds accepts stay below 2^31
@@ -84,8 +83,7 @@ struct Line {
     // As the course's, but where the line does not move at all its cell: there it stays at walk
     // coordinate 0, whose upper face it never crosses.
     AxisCells flip{};
-    // The keys by which the line enters and leaves the castable box; it misses unless enter <
-    // leave.
+    // The keys by which the line enters and leaves the castable box; a miss unless enter < leave.
     std::int64_t enter = -kNever;
     std::int64_t leave = kNever;
 };

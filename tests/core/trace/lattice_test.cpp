@@ -190,7 +190,7 @@ TEST(PixelBounds, RefuseLatticesThatCannotBeCast) {
     EXPECT_NE(message([](auto& l) { l.D = {8193, 0, 0}; }).find("13 bits"), std::string::npos);
     EXPECT_NE(message([](auto& l) { l.directionBits = 14; }).find("direction bits"),
               std::string::npos);
-    EXPECT_NE(message([](auto& l) { l.positionBits = 17; }).find("position bits"),
+    EXPECT_NE(message([](auto& l) { l.positionBits = 14; }).find("position bits"),
               std::string::npos);
     EXPECT_NE(message([](auto& l) { l.positionBits = -1; }).find("position bits"),
               std::string::npos);
@@ -201,6 +201,13 @@ TEST(PixelBounds, RefuseLatticesThatCannotBeCast) {
                   l.V = {1, 0, 0};
                   l.U = {0, 1, 0};
               }).find("16777216"),
+              std::string::npos);
+    // The plane of U and V holds D but for a hair: rays start a long way along it.
+    EXPECT_NE(message([](auto& l) {
+                  l.D = {8191, 1, 0};
+                  l.U = {1 << 28, 34820, 0};
+                  l.V = {0, 0, 1 << 24};
+              }).find("2^30"),
               std::string::npos);
     EXPECT_EQ(message([](auto&) {}), "accepted");
 }
