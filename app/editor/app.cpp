@@ -49,11 +49,9 @@ void App::frame(const Theme& theme, const std::vector<InputEvent>& events) {
         if (event.kind == InputKind::drop && !event.files.empty()) requestOpen(event.files.front());
     }
     pointer_ = path.back();
-    if (std::ranges::any_of(events, [](const InputEvent& event) {
-            return event.kind == InputKind::button || event.kind == InputKind::key;
-        })) {
-        measure(events);
-    }
+    // An edit answers the oldest input of its frame.
+    editStart_.reset();
+    if (!events.empty()) editStart_ = events.front().seconds;
     advanceAnimation();
     figures_.strokeSize.clear();
     Ui ui{theme, session_, settings_, edits_, commands_, probe_, figures_, path};
@@ -64,15 +62,6 @@ void App::frame(const Theme& theme, const std::vector<InputEvent>& events) {
     lockCameras();
     renderViews();
     dumpLayout();
-}
-
-// Remembers when the newest press or key of this frame arrived.
-void App::measure(const std::vector<InputEvent>& events) {
-    for (const InputEvent& event : events) {
-        if (event.kind != InputKind::text && event.kind != InputKind::leave) {
-            editStart_ = event.seconds;
-        }
-    }
 }
 
 void App::buildUi(Ui& ui) {

@@ -57,7 +57,6 @@ class App {
     void renderViews();
     void lockCameras();
     void advanceAnimation();
-    void measure(const std::vector<InputEvent>& events);
     void dumpLayout();
 
     // Commands (app_commands.cpp).
@@ -100,7 +99,7 @@ class App {
     bool framed_ = false;  // the cameras have been placed for this document
     glm::dvec2 pointer_{0.0};
     double animationSeconds_ = 0.0;
-    // The press or key that the edit of this frame answers.
+    // When the input that this frame answers arrived.
     std::optional<double> editStart_;
     std::uint64_t shownModel_ = 0;
     struct CameraPair {

@@ -230,8 +230,11 @@ void Gizmo::draw(const GizmoTarget& target, const Camera& camera, const ViewDraw
                                             IM_COL32(80, 142, 236, 255)};
     const glm::dvec3 origin = target.placed.anchorMetres;
     const int lit = drag_ ? drag_->handle : hovered_;
+    // Yaw turns about the world's y, pitch about x, roll about z at rest.
+    const bool turns = target.kind == GizmoKind::rotate;
     const auto colour = [&](int handle) {
-        return handle == lit ? theme.accent : kColours[static_cast<std::size_t>(handle % 3)];
+        const int axis = turns && handle < 2 ? 1 - handle : handle % 3;
+        return handle == lit ? theme.accent : kColours[static_cast<std::size_t>(axis)];
     };
     const auto width = [&](int handle) { return theme.px(handle == lit ? 3.0f : 2.0f); };
     const auto middle = drawing.project(origin);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace voxprite::editor {
@@ -11,7 +12,6 @@ constexpr double kDegreesPerPx = 0.4;
 constexpr double kZoomPerNotch = 0.87;
 constexpr double kMinDistance = 1e-4;
 constexpr double kMaxDistance = 1e9;
-constexpr double kAirAround = 1.08;
 
 }  // namespace
 
@@ -44,13 +44,26 @@ void OrbitCamera::zoom(double notches, glm::dvec2 pointerPx, glm::ivec2 viewport
     distance *= factor;
 }
 
-void OrbitCamera::frame(glm::dvec3 centre, double radius, glm::ivec2 viewportPx) {
+void OrbitCamera::frame(std::span<const glm::dvec3> points, double air, glm::ivec2 viewportPx) {
+    if (points.empty()) return;
+    glm::dvec3 least = points.front(), most = points.front();
+    for (const glm::dvec3 point : points) {
+        least = glm::min(least, point);
+        most = glm::max(most, point);
+    }
+    target = (least + most) * 0.5;
+    const Camera now = camera(viewportPx);
     const glm::dvec2 size = glm::max(glm::dvec2(viewportPx), glm::dvec2(1.0));
-    const double vertical = std::tan(kViewFovDegrees * 0.5 * std::acos(-1.0) / 180.0);
-    const double narrower = vertical * std::min(1.0, size.x / size.y);
-    target = centre;
-    distance =
-        std::clamp(kAirAround * radius / std::sin(std::atan(narrower)), kMinDistance, kMaxDistance);
+    const double up = std::tan(kViewFovDegrees * 0.5 * std::acos(-1.0) / 180.0) / (1.0 + air);
+    const double across = up * size.x / size.y;
+    double needed = kMinDistance;
+    for (const glm::dvec3 point : points) {
+        const glm::dvec3 from = point - target;
+        const double depth = glm::dot(from, now.forward);
+        needed = std::max({needed, std::abs(glm::dot(from, now.right)) / across - depth,
+                           std::abs(glm::dot(from, now.up)) / up - depth});
+    }
+    distance = std::min(needed, kMaxDistance);
 }
 
 }  // namespace voxprite::editor

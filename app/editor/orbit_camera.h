@@ -3,6 +3,7 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "core/sprite/camera.h"
 
@@ -22,8 +23,8 @@ struct OrbitCamera {
     void pan(glm::dvec2 movedPx, glm::ivec2 viewportPx);
     // Positive notches come nearer. What lies under the pointer at the target's depth stays there.
     void zoom(double notches, glm::dvec2 pointerPx, glm::ivec2 viewportPx);
-    // A sphere fills the view; the direction stays.
-    void frame(glm::dvec3 centre, double radius, glm::ivec2 viewportPx);
+    // What the points enclose fills the view, but for a share of air; the direction stays.
+    void frame(std::span<const glm::dvec3> points, double air, glm::ivec2 viewportPx);
 };
 
 inline constexpr double kViewFovDegrees = 40.0;

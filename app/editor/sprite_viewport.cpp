@@ -6,7 +6,8 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr double kEmptyRadiusMetres = 1.5;
+// What an empty document shows of the scene, in voxels.
+constexpr glm::ivec3 kEmptyShown(24, 24, 12);
 
 GizmoTarget gizmoTarget(const Session& session, GizmoKind kind, double sigmaInForce) {
     const PlacedEntity placed = session.placedInGame();
@@ -25,10 +26,9 @@ Result<SpriteViewport> SpriteViewport::create() {
 }
 
 void SpriteViewport::frameModel(const Session& session) {
-    const PlacedEntity placed = session.placedInGame();
-    const bool empty = session.bounds().empty();
-    camera_.frame(empty ? placed.anchorMetres : placed.centreMetres(),
-                  empty ? kEmptyRadiusMetres : placed.radiusMetres() * 1.25, canvas_.sizePx());
+    PlacedEntity placed = session.placedInGame();
+    if (session.bounds().empty()) placed.modelSize = kEmptyShown;
+    camera_.frame(proxyCorners(placed, session.profile().sigma), 0.25, canvas_.sizePx());
 }
 
 void SpriteViewport::show(Ui& ui, ImVec2 min, ImVec2 size) {

@@ -12,9 +12,9 @@ namespace voxprite::editor {
 enum class ThemeKind : std::uint8_t { dark, light };
 
 struct Fonts {
-    ImFont* text = nullptr;   // 14 px, icons merged in
-    ImFont* small = nullptr;  // 12 px
-    ImFont* bold = nullptr;   // 14 px, for headings
+    ImFont* text = nullptr;   // lines of 16 px, icons merged in
+    ImFont* small = nullptr;  // 14 px
+    ImFont* bold = nullptr;   // 16 px, for headings
     ImFont* icons = nullptr;  // 20 px, for the tool column
 };
 

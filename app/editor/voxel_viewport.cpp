@@ -8,6 +8,9 @@
 namespace voxprite::editor {
 namespace {
 
+// What an empty document shows of the ground, in voxels.
+constexpr IBox kEmptyShown{{-12, -12, 0}, {12, 12, 12}};
+
 EditMode modeOf(Tool tool) {
     if (tool == Tool::erase) return EditMode::erase;
     return tool == Tool::paint ? EditMode::paint : EditMode::attach;
@@ -22,10 +25,15 @@ Result<VoxelViewport> VoxelViewport::create() {
 }
 
 void VoxelViewport::frameModel(const Session& session) {
-    const PlacedEntity placed = session.placedForEditing();
-    const bool empty = session.bounds().empty();
-    camera_.frame(empty ? glm::dvec3(0.0) : placed.centreMetres(),
-                  empty ? 14.0 : placed.radiusMetres(), canvas_.sizePx());
+    const IBox& bounds = session.bounds();
+    const IBox shown = bounds.empty() ? kEmptyShown : bounds;
+    std::vector<glm::dvec3> corners;
+    for (int o = 0; o < 8; ++o) {
+        corners.push_back(worldFromVoxel({(o & 1) != 0 ? shown.max.x : shown.min.x,
+                                          (o & 2) != 0 ? shown.max.y : shown.min.y,
+                                          (o & 4) != 0 ? shown.max.z : shown.min.z}));
+    }
+    camera_.frame(corners, 0.2, canvas_.sizePx());
 }
 
 void VoxelViewport::show(Ui& ui, ImVec2 min, ImVec2 size, std::string& refusal) {

@@ -8,7 +8,7 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr float kLabelWidth = 92.0f;
+constexpr float kLabelWidth = 96.0f;
 constexpr float kRowHeight = 24.0f;
 
 ImVec2 operator+(ImVec2 a, ImVec2 b) {
@@ -64,7 +64,7 @@ bool section(Ui& ui, const char* title, bool openAtFirst) {
     draw.AddText(theme.fonts.bold, theme.fonts.bold->FontSize, {min.x, textY}, theme.text, title);
     const char* arrow = open ? icon::kDown : icon::kRight;
     draw.AddText(theme.fonts.text, theme.fonts.text->FontSize,
-                 {min.x + size.x - theme.px(16), textY}, colour, arrow);
+                 {min.x + size.x - theme.px(18), textY}, colour, arrow);
     ImGui::PopID();
     return open;
 }
@@ -219,7 +219,7 @@ void readoutRow(Ui& ui, const char* label, const std::string& text, const char* 
     ImGui::TextUnformatted(text.c_str());
 }
 
-bool iconButton(Ui& ui, const char* name, const char* icon, bool on, float sizePx,
+bool iconButton(Ui& ui, const char* name, const char* icon, Lit lit, float sizePx,
                 const char* tooltipText, ImFont* font) {
     const Theme& theme = ui.theme;
     if (font == nullptr) font = theme.fonts.text;
@@ -231,23 +231,24 @@ bool iconButton(Ui& ui, const char* name, const char* icon, bool on, float sizeP
     ImGui::PopID();
     const bool hovered = ImGui::IsItemHovered();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    if (on || hovered) {
+    if (lit == Lit::filled || hovered) {
         draw.AddRectFilled(corner, corner + ImVec2(sizePx, sizePx),
-                           on ? theme.accentSoft : theme.fieldHovered, theme.px(6));
+                           lit == Lit::filled ? theme.accentSoft : theme.fieldHovered, theme.px(6));
     }
     const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, icon);
     const ImVec2 at(std::round((sizePx - size.x) * 0.5f), std::round((sizePx - size.y) * 0.5f));
-    const ImU32 colour = ImGui::GetColorU32(on ? theme.accent : theme.text);
+    const ImU32 colour =
+        lit == Lit::off ? ImGui::GetColorU32(ImGuiCol_Text) : ImGui::GetColorU32(theme.accent);
     draw.AddText(font, font->FontSize, corner + at, colour, icon);
     return pressed;
 }
 
-void commandButton(Ui& ui, CommandId id, bool on, float sizePx, ImFont* font) {
+void commandButton(Ui& ui, CommandId id, Lit lit, float sizePx, ImFont* font) {
     const Command& command = commandOf(id);
     std::string text = command.name;
     if (const std::string key = chordText(command.chord); !key.empty()) text += "  (" + key + ")";
     const std::string name = std::string("command.") + command.name;
-    if (iconButton(ui, name.c_str(), command.icon, on, sizePx, text.c_str(), font)) {
+    if (iconButton(ui, name.c_str(), command.icon, lit, sizePx, text.c_str(), font)) {
         ui.commands.ask(id);
     }
 }

@@ -49,11 +49,16 @@ template <class Enum>
 }
 void readoutRow(Ui& ui, const char* label, const std::string& text, const char* hint = nullptr);
 
-// A square button with an icon. `on` fills it with the accent.
-[[nodiscard]] bool iconButton(Ui& ui, const char* name, const char* icon, bool on, float sizePx,
+enum class Lit : std::uint8_t {
+    off,
+    icon,   // something that is switched on
+    filled  // the one of a group that is in use
+};
+// A square button with an icon.
+[[nodiscard]] bool iconButton(Ui& ui, const char* name, const char* icon, Lit lit, float sizePx,
                               const char* tooltip, ImFont* font = nullptr);
 // The button of a command: its icon, its name and key in the tooltip.
-void commandButton(Ui& ui, CommandId id, bool on, float sizePx, ImFont* font = nullptr);
+void commandButton(Ui& ui, CommandId id, Lit lit, float sizePx, ImFont* font = nullptr);
 void tooltip(Ui& ui, const char* text);
 // A text button in the accent colour, for what a dialog is for.
 [[nodiscard]] bool primaryButton(Ui& ui, const char* label, ImVec2 size);

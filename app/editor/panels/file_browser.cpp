@@ -72,11 +72,11 @@ void FileBrowser::enter(const fs::path& folder) {
 void FileBrowser::drawPath(Ui& ui) {
     const Theme& theme = ui.theme;
     const float square = theme.px(26);
-    if (iconButton(ui, "browser.up", icon::kUp, false, square, "The folder above")) {
+    if (iconButton(ui, "browser.up", icon::kUp, Lit::off, square, "The folder above")) {
         enter(folder_.parent_path());
     }
     ImGui::SameLine(0.0f, theme.px(4));
-    if (iconButton(ui, "browser.home", icon::kHome, false, square, "Home")) {
+    if (iconButton(ui, "browser.home", icon::kHome, Lit::off, square, "Home")) {
         if (const char* home = std::getenv("HOME")) enter(home);
     }
     ImGui::SameLine(0.0f, theme.px(8));

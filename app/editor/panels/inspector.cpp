@@ -76,9 +76,13 @@ void anchorPresets(Ui& ui, Entity& entity, const IBox& bounds) {
     const Theme& theme = ui.theme;
     rowLabel(ui, "");
     const float gap = theme.px(4), square = theme.px(24);
-    const float width = std::floor((ImGui::GetContentRegionAvail().x - square - 3 * gap) / 3.0f);
+    // What is left beside the words is shared evenly.
+    float spare = ImGui::GetContentRegionAvail().x - square - 3 * gap;
+    for (const Preset& preset : kPresets) spare -= ImGui::CalcTextSize(preset.label).x;
+    const float air = std::floor(spare / static_cast<float>(kPresets.size()));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, theme.px(0, 4));
     for (const Preset& preset : kPresets) {
-        if (ImGui::Button(preset.label, {width, square})) {
+        if (ImGui::Button(preset.label, {ImGui::CalcTextSize(preset.label).x + air, square})) {
             entity.anchorVoxels.reset();
             if (preset.z > 0.0) {
                 glm::dvec3 anchor = anchorVoxels(entity, bounds);
@@ -91,9 +95,10 @@ void anchorPresets(Ui& ui, Entity& entity, const IBox& bounds) {
         tooltip(ui, preset.hint);
         ImGui::SameLine(0.0f, gap);
     }
+    ImGui::PopStyleVar();
     const bool picking = ui.settings.tool.tool == Tool::pickAnchor;
-    if (iconButton(ui, "inspector.anchor.pick", icon::kPickAnchor, picking, square,
-                   "Set the anchor by clicking a voxel in the edit view (A)")) {
+    if (iconButton(ui, "inspector.anchor.pick", icon::kPickAnchor, picking ? Lit::filled : Lit::off,
+                   square, "Set the anchor by clicking a voxel in the edit view (A)")) {
         ui.commands.ask(CommandId::pickAnchor);
     }
 }

@@ -8,23 +8,29 @@
 namespace voxprite::editor {
 namespace {
 
+// Before every entry, so that names stand in one column whether they have an icon or not.
+constexpr const char* kIconSpace = "        ";
+
 void item(Ui& ui, const Command& command) {
     if (command.separator) ImGui::Separator();
-    const std::string label =
-        (*command.icon != '\0' ? std::string(command.icon) + "  " : std::string("      ")) +
-        command.name;
+    const std::string label = kIconSpace + std::string(command.name);
     const std::string keys = chordText(command.chord);
     if (ImGui::MenuItem(label.c_str(), keys.c_str(), isOn(command.id, ui.settings),
                         isEnabled(command.id, ui.session))) {
         ui.commands.ask(command.id);
     }
     ui.probe.markItem(std::string("menu.") + command.name);
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    const float y = std::round((min.y + max.y - ImGui::GetFontSize()) * 0.5f);
+    ImGui::GetWindowDrawList()->AddText({min.x + ui.theme.px(8), y},
+                                        ImGui::GetColorU32(ImGuiCol_Text), command.icon);
 }
 
 std::optional<std::filesystem::path> recentFiles(Ui& ui) {
     std::optional<std::filesystem::path> chosen;
     const auto& recent = ui.settings.window.recent;
-    if (!ImGui::BeginMenu("      Open recent", !recent.empty())) return chosen;
+    if (!ImGui::BeginMenu((kIconSpace + std::string("Open recent")).c_str(), !recent.empty()))
+        return chosen;
     for (const std::filesystem::path& file : recent) {
         ImGui::PushID(file.c_str());
         if (ImGui::MenuItem(file.filename().c_str())) chosen = file;

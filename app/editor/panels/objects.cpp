@@ -69,14 +69,14 @@ void drawRow(Ui& ui, const Row& row) {
                  0.0f, &clip);
     ImGui::SetCursorScreenPos({corner.x + width - 2 * height, corner.y});
     ImGui::PushStyleColor(ImGuiCol_Text, node.locked ? theme.accent : theme.textFaint);
-    if (iconButton(ui, "lock", node.locked ? icon::kLocked : icon::kUnlocked, false, height,
+    if (iconButton(ui, "lock", node.locked ? icon::kLocked : icon::kUnlocked, Lit::off, height,
                    node.locked ? "Unlock" : "Lock: tools leave it alone")) {
         ui.edits.push(setLocked(document, row.node, !node.locked));
     }
     ImGui::PopStyleColor();
     ImGui::SetCursorScreenPos({corner.x + width - height, corner.y});
     ImGui::PushStyleColor(ImGuiCol_Text, node.hidden ? theme.textFaint : theme.textDim);
-    if (iconButton(ui, "eye", node.hidden ? icon::kHidden : icon::kVisible, false, height,
+    if (iconButton(ui, "eye", node.hidden ? icon::kHidden : icon::kVisible, Lit::off, height,
                    node.hidden ? "Show" : "Hide")) {
         ui.edits.push(setHidden(document, row.node, !node.hidden));
     }
@@ -120,8 +120,8 @@ void drawFrames(Ui& ui) {
     bool& playing = ui.settings.view.playing;
     rowLabel(ui, "Frame");
     const float square = theme.px(24);
-    if (iconButton(ui, "frame.play", playing ? icon::kPause : icon::kPlay, playing, square,
-                   playing ? "Pause" : "Play")) {
+    if (iconButton(ui, "frame.play", playing ? icon::kPause : icon::kPlay,
+                   playing ? Lit::icon : Lit::off, square, playing ? "Pause" : "Play")) {
         playing = !playing;
     }
     ImGui::SameLine(0.0f, theme.px(4));
@@ -145,7 +145,7 @@ void drawObjects(Ui& ui) {
     for (const CommandId id :
          {CommandId::addObject, CommandId::duplicateObject, CommandId::deleteObject}) {
         ImGui::BeginDisabled(!isEnabled(id, ui.session));
-        commandButton(ui, id, false, square);
+        commandButton(ui, id, Lit::off, square);
         ImGui::EndDisabled();
         ImGui::SameLine(0.0f, theme.px(4));
     }

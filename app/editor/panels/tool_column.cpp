@@ -5,10 +5,11 @@
 namespace voxprite::editor {
 namespace {
 
-void group(Ui& ui, std::initializer_list<CommandId> ids) {
+void group(Ui& ui, Lit litWhenOn, std::initializer_list<CommandId> ids) {
     const float size = ui.theme.px(36);
     for (const CommandId id : ids) {
-        commandButton(ui, id, isOn(id, ui.settings), size, ui.theme.fonts.icons);
+        commandButton(ui, id, isOn(id, ui.settings) ? litWhenOn : Lit::off, size,
+                      ui.theme.fonts.icons);
     }
 }
 
@@ -26,13 +27,13 @@ void divider(Ui& ui) {
 void drawToolColumn(Ui& ui) {
     using enum CommandId;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ui.theme.px(0, 2));
-    group(ui, {attach, erase, paint, pickColour, pickAnchor});
+    group(ui, Lit::filled, {attach, erase, paint, pickColour, pickAnchor});
     divider(ui);
-    group(ui, {shapeVoxel, shapeBox});
+    group(ui, Lit::filled, {shapeVoxel, shapeBox});
     divider(ui);
-    group(ui, {gizmoMove, gizmoRotate, gizmoScale});
+    group(ui, Lit::filled, {gizmoMove, gizmoRotate, gizmoScale});
     divider(ui);
-    group(ui, {toggleProxyBox, toggleAnchorMarker, toggleLockCameras, frameModel});
+    group(ui, Lit::icon, {toggleProxyBox, toggleAnchorMarker, toggleLockCameras, frameModel});
 
     // The colour in hand, always in sight.
     const Theme& theme = ui.theme;
@@ -42,6 +43,8 @@ void drawToolColumn(Ui& ui) {
     ImGui::GetWindowDrawList()->AddRectFilled(
         corner, {corner.x + theme.px(26), corner.y + theme.px(26)},
         IM_COL32(colour.x, colour.y, colour.z, 255), theme.px(6));
+    ImGui::GetWindowDrawList()->AddRect(corner, {corner.x + theme.px(26), corner.y + theme.px(26)},
+                                        theme.fieldActive, theme.px(6));
     ImGui::PopStyleVar();
 }
 
