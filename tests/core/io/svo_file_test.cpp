@@ -98,8 +98,10 @@ TEST(SvoFile, MatchesTheByteDiagram) {
     std::vector<SvoSection> sections = test::sectionsOf(bytes);
     const auto words = [&](const std::string& tag) {
         const Bytes& section = test::sectionNamed(sections, tag).bytes;
-        std::vector<std::uint32_t> result(section.size() / 4);
-        std::memcpy(result.data(), section.data(), section.size());
+        std::vector<std::uint32_t> result;
+        for (std::size_t at = 0; at < section.size(); at += 4) {
+            result.push_back(test::valueAt<std::uint32_t>(section, at));
+        }
         return result;
     };
     const auto minusSeven = static_cast<std::uint32_t>(-7);
