@@ -42,21 +42,25 @@ Json sizeJson(glm::ivec3 size) {
     return {size.x, size.y, size.z};
 }
 
-Result<Json> modelJson(const Document& document, int index) {
+Json octreeJson(const Octree& octree) {
+    return {{"max_depth", octree.maxDepth},
+            {"nodes", octree.nodes.size()},
+            {"payloads", octree.payloads.size()},
+            {"bytes", octree.nodes.size() * 4 + octree.payloads.size() * 8}};
+}
+
+// A model that no octree can hold is said so in `warnings`; it is still a model.
+Json modelJson(const Document& document, int index, Json& warnings) {
     const VoxelGrid& voxels = document.models[static_cast<std::size_t>(index)].voxels;
-    const Result<Octree> octree = bake(voxels);
-    if (!octree) return Failure(octree.error());
     const SceneNode* const node = nodeShowing(document, index);
-    return Json{{"name", textJson(node != nullptr ? node->name : std::string())},
-                {"size", sizeJson(octree->size)},
-                {"voxels", voxels.solidCount()},
-                {"colours", coloursIn(voxels)},
-                {"frames", node != nullptr ? node->models.size() : 1},
-                {"svo",
-                 {{"max_depth", octree->maxDepth},
-                  {"nodes", octree->nodes.size()},
-                  {"payloads", octree->payloads.size()},
-                  {"bytes", octree->nodes.size() * 4 + octree->payloads.size() * 8}}}};
+    const Result<Octree> octree = bake(voxels);
+    if (!octree) warnings.push_back("there is no octree of a model: " + octree.error().describe());
+    return {{"name", textJson(node != nullptr ? node->name : std::string())},
+            {"size", sizeJson(voxels.bounds().size())},
+            {"voxels", voxels.solidCount()},
+            {"colours", coloursIn(voxels)},
+            {"frames", node != nullptr ? node->models.size() : 1},
+            {"svo", octree ? octreeJson(*octree) : Json(nullptr)}};
 }
 
 bool isSeen(const std::vector<Instance>& visible, int node) {
@@ -88,9 +92,11 @@ std::string describe(const Json& json, const std::string& file) {
         const Json& size = model["size"];
         const Json& svo = model["svo"];
         text << "  " << index++ << "  " << size[0] << " x " << size[1] << " x " << size[2] << "  "
-             << model["voxels"] << " voxels, " << model["colours"] << " colours; octree: depth "
-             << svo["max_depth"] << ", " << svo["nodes"] << " nodes, " << svo["payloads"]
-             << " payloads, " << svo["bytes"] << " bytes";
+             << model["voxels"] << " voxels, " << model["colours"] << " colours";
+        if (!svo.is_null()) {
+            text << "; octree: depth " << svo["max_depth"] << ", " << svo["nodes"] << " nodes, "
+                 << svo["payloads"] << " payloads, " << svo["bytes"] << " bytes";
+        }
         if (model["name"] != "") text << "  \"" << model["name"].get<std::string>() << '"';
         if (model["frames"] > 1) text << "  (one of " << model["frames"] << " frames)";
         text << '\n';
@@ -106,14 +112,10 @@ Result<Report> inspect(const Options& options) {
     if (!loaded) return Failure(loaded.error());
     const Document& document = loaded->document;
     const std::vector<int> sources = sourceModels(document);
-    Json models = Json::array();
-    for (const int index : sources) {
-        Result<Json> model = inFile(modelJson(document, index), options.file);
-        if (!model) return Failure(model.error());
-        models.push_back(std::move(*model));
-    }
     Json warnings = Json::array();
     for (const std::string& warning : loaded->warnings) warnings.push_back(textJson(warning));
+    Json models = Json::array();
+    for (const int index : sources) models.push_back(modelJson(document, index, warnings));
 
     const IBox bounds = entityBounds(document);
     Report report;

@@ -10,6 +10,8 @@
 namespace voxprite::cli {
 namespace {
 
+// The view's own backdrop is the editor's: what no voxel covers (depth 0, the far end) is given the
+// background that was asked for.
 Result<Image> drawVoxels(const Shot& shot, const GpuOctree& octree) {
     Result<VoxelView> view = VoxelView::create();
     if (!view) return Failure(view.error());
@@ -17,10 +19,14 @@ Result<Image> drawVoxels(const Shot& shot, const GpuOctree& octree) {
     options.edges = false;
     options.ground = false;
     options.light = shot.profile.light;
-    options.backgroundTop = options.backgroundBottom = shot.background;
     Frame frame(shot.camera.viewportPx);
     view->draw(frame, octree, shot.palette, shot.placed, shot.camera, options);
-    return frame.readColour();
+    Image image = frame.readColour();
+    const std::vector<float> depths = frame.readDepth();
+    for (std::size_t k = 0; k < depths.size(); ++k) {
+        if (depths[k] == 0.0f) image.pixels[k] = shot.background;
+    }
+    return image;
 }
 
 Result<Image> drawScene(const Shot& shot, const GpuOctree& octree, SceneRenderer& renderer,

@@ -32,8 +32,8 @@ struct BenchModel {
 
 struct Effort {
     bool quick = false;
-    [[nodiscard]] double budgetMs() const { return quick ? 40.0 : 300.0; }
-    [[nodiscard]] int minRuns() const { return quick ? 3 : 5; }
+    [[nodiscard]] double budgetMs() const { return quick ? 20.0 : 300.0; }
+    [[nodiscard]] int minRuns() const { return quick ? 2 : 5; }
 };
 
 // The median time of `run`, in milliseconds: run once uncounted, then minRuns() times at least,

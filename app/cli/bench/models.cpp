@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kQuickFiles = 4;
+constexpr std::size_t kQuickFiles = 2;
 
 // A colour for each octant of the model, so that faces and bricks are not all alike.
 std::uint8_t octantColour(glm::ivec3 v, int size) {

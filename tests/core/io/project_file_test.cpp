@@ -200,6 +200,39 @@ TEST(ProjectFile, ChangedBytesNeverChangeTheDocumentInSilence) {
     EXPECT_GT(refused, 200);
 }
 
+TEST(ProjectFile, ChangedJsonIsRefusedOrValid) {
+    Document document = fullDocument();
+    for (Model& model : document.models) model.voxels.clear();
+    const Bytes good = written(document);
+    const std::string json = projectJson(good);
+    const auto archive = ZipReader::open(good);
+    std::vector<ZipEntry> entries{{"project.json", {}}};
+    for (int k = 0; k < 4; ++k) {
+        const std::string name = "models/" + std::to_string(k) + ".voxels";
+        entries.push_back({name, archive->read(name, 1 << 30).value()});
+    }
+    std::mt19937 random(9);
+    constexpr std::string_view interesting = "0123456789-.eE\"[]{},:tfn \xFF";
+    int accepted = 0;
+    for (int k = 0; k < 300; ++k) {
+        std::string changed = json;
+        for (int edit = 0; edit < 1 + k % 3; ++edit) {
+            changed[random() % changed.size()] = interesting[random() % interesting.size()];
+        }
+        entries[0].bytes = bytesOfText(changed);
+        const auto read = readProject(writeZip(entries).value());
+        if (read) {
+            ++accepted;
+            EXPECT_TRUE(validate(*read));
+        } else {
+            EXPECT_NE(read.error().describe().find("project.json"), std::string::npos)
+                << read.error().describe();
+        }
+    }
+    EXPECT_GT(accepted, 0);
+    EXPECT_LT(accepted, 300);
+}
+
 TEST(ProjectFile, OtherFilesAreRefused) {
     expectError({}, "ZIP");
     expectError(bytesOfText("VOX 200 is something else altogether"), "ZIP");
