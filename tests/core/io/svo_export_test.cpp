@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cstring>
 #include <numeric>
 
 #include "core/base/file.h"
@@ -8,6 +10,7 @@
 #include "core/io/vox.h"
 #include "core/model/entity_voxels.h"
 #include "core/svo/bake.h"
+#include "tests/core/io/svo_sections.h"
 #include "tests/support/corpus.h"
 #include "tests/support/voxels.h"
 
@@ -106,6 +109,51 @@ TEST(SvoExport, BusyDocumentIsExactInEveryFrame) {
     }
     EXPECT_EQ(toVoxels(file.models[file.clips[1].models[0]].octree), flatten(document, 4));
     EXPECT_EQ(file.colourNames[7], "amber glass");
+}
+
+// The minimal reader that svo_file.h gives, on the bare sections.
+std::uint32_t voxelByTheManual(const std::uint32_t* n, const std::uint64_t* p, unsigned maxDepth,
+                               unsigned x, unsigned y, unsigned z) {
+    std::uint32_t w = n[0];
+    for (int bit = static_cast<int>(maxDepth) - 1;; --bit) {
+        const unsigned o = (z >> bit & 1) << 2 | (y >> bit & 1) << 1 | (x >> bit & 1);
+        if (!(w >> 31)) {
+            return w >> 30 ? static_cast<std::uint8_t>(p[w & 0x3FFFFFFF] >> 8 * o) : w;
+        }
+        if (!(w >> o & 1)) return 0;
+        w = n[(w >> 8 & 0x7FFFFF) + static_cast<unsigned>(std::popcount(w & ((1u << o) - 1)))];
+    }
+}
+
+TEST(SvoExport, TheManualsReaderReadsEveryFrame) {
+    const Document document = growing();
+    std::vector<test::SvoSection> sections = test::sectionsOf(exported(document));
+    const Bytes& models = test::sectionNamed(sections, "MODL").bytes;
+    const Bytes& frames = test::sectionNamed(sections, "FRAM").bytes;
+    std::vector<std::uint32_t> nodes(test::sectionNamed(sections, "NODE").bytes.size() / 4);
+    std::memcpy(nodes.data(), test::sectionNamed(sections, "NODE").bytes.data(), 4 * nodes.size());
+    std::vector<std::uint64_t> payloads(test::sectionNamed(sections, "PAYL").bytes.size() / 8);
+    std::memcpy(payloads.data(), test::sectionNamed(sections, "PAYL").bytes.data(),
+                8 * payloads.size());
+    for (int frame = 0; frame < 4; ++frame) {
+        const auto model =
+            64 * test::valueAt<std::uint32_t>(frames, 8 * static_cast<std::size_t>(frame));
+        const auto word = [&](std::size_t at) {
+            return test::valueAt<std::uint32_t>(models, model + at);
+        };
+        const glm::ivec3 origin(static_cast<int>(word(32)), static_cast<int>(word(36)),
+                                static_cast<int>(word(40)));
+        const VoxelGrid voxels = flatten(document, frame);
+        for (unsigned x = 0; x < word(12); ++x) {
+            for (unsigned y = 0; y < word(16); ++y) {
+                for (unsigned z = 0; z < word(20); ++z) {
+                    EXPECT_EQ(voxelByTheManual(nodes.data() + word(0), payloads.data() + word(4),
+                                               word(8), x, y, z),
+                              voxels.get(origin + glm::ivec3(x, y, z)));
+                }
+            }
+        }
+    }
 }
 
 TEST(SvoExport, EmptyDocumentIsExportedToo) {
