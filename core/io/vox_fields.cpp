@@ -2,7 +2,6 @@
 
 #include <bit>
 #include <charconv>
-#include <limits>
 
 namespace voxprite {
 
