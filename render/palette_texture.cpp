@@ -4,10 +4,6 @@
 
 namespace voxprite {
 
-void PaletteTexture::set(std::span<const Rgba8, 256> colours) {
-    upload({colours.begin(), colours.end()});
-}
-
 void PaletteTexture::set(const LitPalette& lit) {
     std::vector<Rgba8> pixels;
     pixels.reserve(3 * 256);
@@ -16,21 +12,21 @@ void PaletteTexture::set(const LitPalette& lit) {
             pixels.push_back(lit.shade(static_cast<std::uint8_t>(material), axis));
         }
     }
-    upload(std::move(pixels));
+    set(std::move(pixels));
 }
 
-void PaletteTexture::upload(std::vector<Rgba8> pixels) {
-    if (pixels == pixels_) return;
-    const auto rows = static_cast<GLsizei>(pixels.size() / 256);
-    if (pixels.size() != pixels_.size()) {
+void PaletteTexture::set(std::vector<Rgba8> rows) {
+    if (rows == pixels_) return;
+    const auto height = static_cast<GLsizei>(rows.size() / 256);
+    if (rows.size() != pixels_.size()) {
         texture_ = gl::createTexture2d();
-        glTextureStorage2D(texture_.id(), 1, GL_RGBA8, 256, rows);
+        glTextureStorage2D(texture_.id(), 1, GL_RGBA8, 256, height);
         glTextureParameteri(texture_.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         glTextureParameteri(texture_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     }
-    glTextureSubImage2D(texture_.id(), 0, 0, 0, 256, rows, GL_RGBA, GL_UNSIGNED_BYTE,
-                        pixels.data());
-    pixels_ = std::move(pixels);
+    glTextureSubImage2D(texture_.id(), 0, 0, 0, 256, height, GL_RGBA, GL_UNSIGNED_BYTE,
+                        rows.data());
+    pixels_ = std::move(rows);
 }
 
 void bindTexture(TextureUnit unit, std::uint32_t texture) {

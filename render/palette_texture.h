@@ -1,9 +1,6 @@
-// Palette colours as a texture: column = material, one row, or one for each face axis with the
-// light in it.
+// Palette colours as a texture: column = material, a row for each kind of face, with its light.
 #pragma once
 
-#include <array>
-#include <span>
 #include <vector>
 
 #include "core/base/image.h"
@@ -16,13 +13,11 @@ namespace voxprite {
 // Uploads only what differs from what it holds.
 class PaletteTexture {
   public:
-    void set(std::span<const Rgba8, 256> colours);
-    void set(const LitPalette& lit);
+    void set(std::vector<Rgba8> rows);  // 256 colours each
+    void set(const LitPalette& lit);    // a row for each face axis
     [[nodiscard]] std::uint32_t texture() const { return texture_.id(); }
 
   private:
-    void upload(std::vector<Rgba8> pixels);
-
     gl::Texture texture_;
     std::vector<Rgba8> pixels_;
 };

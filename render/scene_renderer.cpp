@@ -67,6 +67,10 @@ Result<std::vector<SeenSprite>> SceneRenderer::Impl::look(const Scene& scene, co
                                                           SceneStats& stats) const {
     std::vector<SeenSprite> seen;
     for (const SceneEntity& entity : scene.entities) {
+        if (entity.octree->texture() == 0) {
+            ++stats.unseen;
+            continue;
+        }
         const Result<SpriteViewResult> result =
             viewSprite(entity.placed, camera, profile, entity.history);
         if (!result) return tl::unexpected(result.error());
@@ -100,6 +104,7 @@ Status SceneRenderer::Impl::castMissing(std::vector<SeenSprite>& sprites, SceneS
             ++stats.castsReused;
             continue;
         }
+        if (const Status fits = SpriteCaster::checkSize(sprite.visible.size); !fits) return fits;
         SpriteTextures& target = cache.add(key, sprite.visible.size);
         if (const Status done = caster.cast(octree, sprite.visible, sprite.lit, target); !done) {
             cache.forget(key);

@@ -42,7 +42,9 @@ struct Scene {
 struct SceneStats {
     int drawn = 0;
     int unseen = 0;
-    std::uint64_t rays = 0;         // cast this frame (sprite_buffer: virtual pixels)
+    // Cast this frame: virtual pixels (spriteBuffer), or the screen pixels of the sprites'
+    // rectangles, each of which casts up to five (singlePass).
+    std::uint64_t rays = 0;
     std::uint64_t castsReused = 0;  // sprites taken from the frame before
     double sigmaInForce = 0.0;      // of the first entity drawn
     double screenPxPerPx = 0.0;     // of the first entity drawn

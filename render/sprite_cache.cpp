@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::uint64_t kFramesKept = 3;
 constexpr std::size_t kSparesKept = 16;
+constexpr std::int64_t kLargestSpare = std::int64_t{1} << 20;  // pixels
 
 // Sizes grow in steps, so that a turning model finds its textures again.
 glm::ivec2 roomySize(glm::ivec2 size) {
@@ -49,8 +50,11 @@ void SpriteCache::endFrame() {
             ++item;
             continue;
         }
-        if (spare_.size() == kSparesKept) spare_.erase(spare_.begin());
-        spare_.push_back(std::move(entry.textures));
+        const glm::ivec2 capacity = entry.textures->capacity;
+        if (std::int64_t{capacity.x} * capacity.y <= kLargestSpare) {
+            if (spare_.size() == kSparesKept) spare_.erase(spare_.begin());
+            spare_.push_back(std::move(entry.textures));
+        }
         item = entries_.erase(item);
     }
     ++frame_;

@@ -14,6 +14,12 @@ namespace {
 
 // Larger buffers are cast in tiles of this edge: drivers bound the size of a texture.
 constexpr int kTileEdge = 2048;
+// The scratch buffer keeps growing with what it is asked for up to this many pixels.
+constexpr std::int64_t kRoomyPixels = std::int64_t{1} << 22;
+
+std::int64_t area(glm::ivec2 size) {
+    return std::int64_t{size.x} * size.y;
+}
 
 gl::Texture dataTexture(GLenum format, glm::ivec2 size) {
     gl::Texture texture = gl::createTexture2d();
@@ -86,6 +92,15 @@ Result<SpriteCaster> SpriteCaster::create() {
     return caster;
 }
 
+Status SpriteCaster::checkSize(glm::ivec2 size) {
+    GLint limit = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+    if (size.x <= limit && size.y <= limit) return {};
+    return fail("a sprite of " + std::to_string(size.x) + " x " + std::to_string(size.y) +
+                " virtual pixels on the screen; textures of this driver end at " +
+                std::to_string(limit));
+}
+
 void SpriteCaster::bindInputs(const GpuOctree& octree, const LatticeView& lattice,
                               const LitPalette& lit) {
     octreeBlock_.set(BlockBinding::octree, octree.block());
@@ -99,7 +114,8 @@ void SpriteCaster::bindInputs(const GpuOctree& octree, const LatticeView& lattic
 Status SpriteCaster::cast(const GpuOctree& octree, const LatticeView& lattice,
                           const LitPalette& lit, SpriteTextures& target) {
     if (!scratch_.holds(lattice.size)) {
-        scratch_ = SpriteTextures(glm::max(scratch_.capacity, lattice.size));
+        const glm::ivec2 both = glm::max(scratch_.capacity, lattice.size);
+        scratch_ = SpriteTextures(area(both) <= kRoomyPixels ? both : lattice.size);
     }
     bindInputs(octree, lattice, lit);
     if (const Status ready = cast_.use(castsNarrow(lattice, octree.size())); !ready) return ready;
@@ -134,8 +150,7 @@ Result<SpriteBuffer> SpriteCaster::castBuffer(const GpuOctree& octree, const Lat
     SpriteBuffer buffer;
     buffer.first = lattice.first;
     buffer.size = lattice.size;
-    const auto count =
-        static_cast<std::size_t>(lattice.size.x) * static_cast<std::size_t>(lattice.size.y);
+    const auto count = static_cast<std::size_t>(area(lattice.size));
     buffer.colours.assign(count, Rgba8(0));
     buffer.ids.assign(count, kIdEmpty);
     if (count == 0 || octree.texture() == 0) return buffer;

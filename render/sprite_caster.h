@@ -48,6 +48,8 @@ class SpriteCaster {
   public:
     [[nodiscard]] static Result<SpriteCaster> create();
 
+    // A buffer of this size as one texture each: fails beyond the driver's limit.
+    [[nodiscard]] static Status checkSize(glm::ivec2 size);
     // Fills the lower left of `target` (which holds lattice.size) with the finished sprite.
     [[nodiscard]] Status cast(const GpuOctree& octree, const LatticeView& lattice,
                               const LitPalette& lit, SpriteTextures& target);

@@ -33,7 +33,8 @@ struct VoxelViewBlock {
     float grid_height = 0.0f;
     float grid_radius = 1.0f;
     std::int32_t grid_shown = 1;
-    std::array<float, 3> padding{};
+    std::int32_t occlusion_shown = 1;
+    std::array<float, 2> padding{};
 };
 static_assert(sizeof(VoxelViewBlock) == 416);
 
@@ -78,6 +79,8 @@ struct VoxelView::Impl {
     void fillRays(VoxelViewBlock& block, const RootSpace& space, const Camera& camera) const;
     void fillLook(VoxelViewBlock& block, const RootSpace& space, const GpuOctree& octree,
                   const VoxelViewOptions& options) const;
+    void setPalette(const Palette& colours, const RootSpace& space,
+                    const VoxelViewOptions& options);
 };
 
 void VoxelView::Impl::fillBox(VoxelViewBlock& block, const GpuOctree& octree,
@@ -118,6 +121,8 @@ void VoxelView::Impl::fillLook(VoxelViewBlock& block, const RootSpace& space,
         glm::dvec3 normal(0.0);
         normal[axis] = 1.0;
         glm::vec4& light = block.face_light[static_cast<std::size_t>(axis)];
+        light = glm::vec4(1.0f);
+        if (options.spriteLight) continue;  // it is in the palette
         light.x = halfLambert(normal, toward, options.light.ambient);
         light.y = halfLambert(-normal, toward, options.light.ambient);
     }
@@ -125,6 +130,7 @@ void VoxelView::Impl::fillLook(VoxelViewBlock& block, const RootSpace& space,
     block.background_bottom = toVec4(options.backgroundBottom);
     block.grid_colour = glm::vec4(0.72f, 0.76f, 0.84f, 0.30f);
     block.edges_shown = options.edges ? 1 : 0;
+    block.occlusion_shown = options.occlusion ? 1 : 0;
     const glm::dvec3 low = -space.voxelOfMiddle;
     const glm::dvec3 size(octree.size());
     block.grid_centre = glm::vec2(low.x + size.x / 2, low.y + size.y / 2);
@@ -132,6 +138,26 @@ void VoxelView::Impl::fillLook(VoxelViewBlock& block, const RootSpace& space,
     block.grid_height = static_cast<float>(low.z);
     block.grid_radius = static_cast<float>(24.0 + 2.0 * std::max(size.x, size.y));
     block.grid_shown = options.ground ? 1 : 0;
+}
+
+// One row for each face: +x, +y, +z, -x, -y, -z.
+void VoxelView::Impl::setPalette(const Palette& colours, const RootSpace& space,
+                                 const VoxelViewOptions& options) {
+    const glm::dvec3 toward = space.voxelAxesFromWorld * options.light.towardLight;
+    std::vector<Rgba8> rows;
+    for (const int side : {1, -1}) {
+        LitPalette lit = litPalette(colours, {255, 255, 255}, Outline{});
+        if (options.spriteLight) {
+            // Rays that run down an axis see the face that looks up it.
+            lit.light8 = faceLight(glm::ivec3(-side), toward, options.light.ambient);
+        }
+        for (std::uint8_t axis = 0; axis < 3; ++axis) {
+            for (int material = 0; material < 256; ++material) {
+                rows.push_back(lit.shade(static_cast<std::uint8_t>(material), axis));
+            }
+        }
+    }
+    palette.set(std::move(rows));
 }
 
 void VoxelView::draw(Frame& frame, const GpuOctree& octree, const Palette& palette,
@@ -152,7 +178,7 @@ void VoxelView::draw(Frame& frame, const GpuOctree& octree, const Palette& palet
     if (octree.texture() == 0) return;
 
     impl_->octreeBlock.set(BlockBinding::octree, octree.block());
-    impl_->palette.set(palette.colours);
+    impl_->setPalette(palette, space, options);
     bindTexture(TextureUnit::svo, octree.texture());
     bindTexture(TextureUnit::palette, impl_->palette.texture());
     gl::apply(

@@ -16,9 +16,13 @@
 namespace voxprite {
 
 struct VoxelViewOptions {
-    bool edges = true;   // darkened voxel edges when they are wide enough to see
-    bool ground = true;  // a soft grid plane under the model: cells of 1 and 8 voxels
+    bool edges = true;      // darkened voxel edges when they are wide enough to see
+    bool occlusion = true;  // soft shade in the corners between voxels
+    bool ground = true;     // a soft grid plane under the model: cells of 1 and 8 voxels
     Light light;
+    // The sprite's own light instead of a softer one, in the same integers: each face is exactly
+    // the colour that a sprite gives it (edges and occlusion apart).
+    bool spriteLight = false;
     Rgba8 backgroundTop{58, 62, 70, 255};
     Rgba8 backgroundBottom{34, 36, 41, 255};
 };

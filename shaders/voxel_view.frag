@@ -7,6 +7,7 @@
 #include "shared/octree.glsl"
 #include "shared/voxel_view.glsl"
 
+// Column = material, row = face: +x, +y, +z, -x, -y, -z.
 layout(binding = 1) uniform sampler2D palette_texture;
 
 layout(location = 0) out vec4 colour;
@@ -15,10 +16,12 @@ struct Hit {
     uint material;
     int axis;
     float t;
+    ivec3 cell;  // tree coordinates
 };
 
 // Directions run upwards on every axis, mirrored as in the lattice caster.
-Hit castRay(vec3 origin, vec3 direction) {
+Hit castRay(vec3 origin, vec3 direction, out Cursor cursor) {
+    startAtRoot(cursor);
     int edge = 1 << int(svo_max_depth);
     int middle = edge >> 1;
     bvec3 mirrored = lessThan(direction, vec3(0.0));
@@ -29,7 +32,7 @@ Hit castRay(vec3 origin, vec3 direction) {
     direction = max(abs(direction), vec3(1e-12));
     vec3 inverse = 1.0 / direction;
 
-    Hit hit = Hit(0u, 0, near_metres);
+    Hit hit = Hit(0u, 0, near_metres, ivec3(0));
     vec3 enter = (vec3(low - middle) - origin) * inverse;
     vec3 leave = (vec3(high - middle) - origin) * inverse;
     float t = max(max(enter.x, enter.y), enter.z);
@@ -38,17 +41,17 @@ Hit castRay(vec3 origin, vec3 direction) {
         hit.axis = t == enter.x ? 0 : t == enter.y ? 1 : 2;
         hit.t = t;
     } else {
-        vec3 steepest = direction;
-        hit.axis = steepest.x >= max(steepest.y, steepest.z) ? 0 : steepest.y >= steepest.z ? 1 : 2;
+        hit.axis = direction.x >= max(direction.y, direction.z) ? 0
+                   : direction.y >= direction.z                 ? 1
+                                                                : 2;
     }
     ivec3 cell = clamp(ivec3(floor(origin + direction * hit.t)) + middle, low, high - 1);
 
-    Cursor cursor;
-    startAtRoot(cursor);
     do {
         Region region = regionAt(cell ^ bits, cursor);
         if (region.material != 0u) {
             hit.material = region.material;
+            hit.cell = cell ^ bits;
             return hit;
         }
         ivec3 ends = min(((cell >> region.shift) + 1) << region.shift, high);
@@ -87,24 +90,59 @@ float edgeShade(vec2 position, vec2 footprint) {
     return max(line.x, line.y) * (1.0 - smoothstep(0.08, 0.28, wide));
 }
 
+// 1 where the cell is solid.
+float solidAt(ivec3 cell, inout Cursor cursor) {
+    if (any(lessThan(cell, view_box_low)) || any(greaterThanEqual(cell, view_box_high))) return 0.0;
+    return regionAt(cell, cursor).material != 0u ? 1.0 : 0.0;
+}
+
+float cornerOcclusion(float side_a, float side_b, float corner) {
+    return side_a * side_b > 0.0 ? 1.0 : (side_a + side_b + corner) / 3.0;
+}
+
+// Corners where other voxels stand up from a face lie in their shade (Lysenko 2013).
+float occlusion(Hit hit, bool faces_up, vec2 position, inout Cursor cursor) {
+    ivec3 unit = ivec3(equal(ivec3(hit.axis), ivec3(0, 1, 2)));
+    ivec3 front = hit.cell + (faces_up ? unit : -unit);
+    ivec3 u = hit.axis == 0 ? ivec3(0, 1, 0) : ivec3(1, 0, 0);
+    ivec3 v = hit.axis == 2 ? ivec3(0, 1, 0) : ivec3(0, 0, 1);
+    float left = solidAt(front - u, cursor);
+    float right = solidAt(front + u, cursor);
+    float below = solidAt(front - v, cursor);
+    float above = solidAt(front + v, cursor);
+    vec4 corners = vec4(cornerOcclusion(left, below, solidAt(front - u - v, cursor)),
+                        cornerOcclusion(right, below, solidAt(front + u - v, cursor)),
+                        cornerOcclusion(left, above, solidAt(front - u + v, cursor)),
+                        cornerOcclusion(right, above, solidAt(front + u + v, cursor)));
+    vec2 at = fract(position);
+    vec2 rows = mix(corners.xz, corners.yw, at.x);
+    return mix(rows.x, rows.y, at.y);
+}
+
 void main() {
     vec2 screen = gl_FragCoord.xy;
     vec3 origin = voxelRayOrigin(screen);
     vec3 direction = voxelRayDirection(screen);
-    Hit hit = castRay(origin, direction);
+    Cursor cursor;
+    Hit hit = castRay(origin, direction, cursor);
     if (hit.material == 0u) discard;
 
-    vec4 lights = face_light[hit.axis];
-    vec3 base = texelFetch(palette_texture, ivec2(int(hit.material), 0), 0).rgb;
-    float light = along(direction, hit.axis) < 0.0 ? lights.x : lights.y;
-    if (edges_shown != 0) {
-        vec3 at = origin + direction * hit.t;
-        vec2 position = across(at, hit.axis);
-        float face = round(along(at, hit.axis));
-        vec2 dx = onPlane(screen + vec2(1, 0), hit.axis, face) - position;
-        vec2 dy = onPlane(screen + vec2(0, 1), hit.axis, face) - position;
-        light *= 1.0 - 0.16 * edgeShade(position, sqrt(dx * dx + dy * dy));
+    bool faces_up = along(direction, hit.axis) < 0.0;
+    int row = faces_up ? hit.axis : hit.axis + 3;
+    vec3 base = texelFetch(palette_texture, ivec2(int(hit.material), row), 0).rgb;
+    vec3 at = origin + direction * hit.t;
+    vec2 position = across(at, hit.axis);
+    float face = round(along(at, hit.axis));
+    vec2 dx = onPlane(screen + vec2(1, 0), hit.axis, face) - position;
+    vec2 dy = onPlane(screen + vec2(0, 1), hit.axis, face) - position;
+    vec2 footprint = sqrt(dx * dx + dy * dy);
+    float light = faces_up ? face_light[hit.axis].x : face_light[hit.axis].y;
+    float large = max(footprint.x, footprint.y);
+    if (occlusion_shown != 0 && large < 1.0) {
+        light *= 1.0 - 0.4 * occlusion(hit, faces_up, position, cursor) *
+                           (1.0 - smoothstep(0.5, 1.0, large));
     }
+    if (edges_shown != 0) light *= 1.0 - 0.16 * edgeShade(position, footprint);
     colour = vec4(base * light, 1.0);
     gl_FragDepth = (view_depth_from_t.x * hit.t + view_depth_from_t.y) /
                    (view_depth_from_t.z * hit.t + view_depth_from_t.w);

@@ -52,7 +52,8 @@ Number3 floorDivide(Number3 x, Number m) {
 // The cell that holds a position, from the centre corner.
 ivec3 cellOf(Number3 position) {
 #ifdef LATTICE_WIDE
-    return ivec3(floor(position / double(1 << position_bits)));
+    // A ray that misses by far may be beyond the integers; it stays outside all the same.
+    return ivec3(clamp(floor(position / double(1 << position_bits)), -1e9LF, 1e9LF));
 #else
     return position >> position_bits;
 #endif

@@ -19,6 +19,7 @@ layout(std140, binding = 6) uniform VoxelViewBlock {
     float grid_height;          // z of the model's bottom
     float grid_radius;          // voxels at which the grid has faded
     int grid_shown;
+    int occlusion_shown;
 };
 
 vec3 voxelRayOrigin(vec2 screen) {

@@ -397,5 +397,18 @@ TEST_F(Scenes, OnlyWhatIsOnTheScreenIsCast) {
     EXPECT_EQ(draw(scene, close, profile).stats.unseen, 1);
 }
 
+TEST_F(Scenes, ASpriteBeyondTheDriversTexturesIsAnErrorThatSaysSo) {
+    GameProfile profile = plainProfile();
+    profile.sigma = 1.0;
+    const GpuModel rod(test::solidBox({40'000, 1, 1}, 3));
+    Scene scene;
+    scene.entities = {entity(rod, {0.0, 0.0, 0.0}, profile)};
+    Camera far = camera(0, 0, 9000.0);
+    Frame frame(kViewport);
+    const auto stats = renderer_->draw(frame, scene, far, profile, SpriteMode::spriteBuffer);
+    ASSERT_FALSE(stats);
+    EXPECT_NE(stats.error().message.find("40002 x"), std::string::npos) << stats.error().message;
+}
+
 }  // namespace
 }  // namespace voxprite

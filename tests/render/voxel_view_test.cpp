@@ -23,6 +23,7 @@ class VoxelViews : public test::GlTest {
     static VoxelViewOptions plain() {
         VoxelViewOptions options;
         options.edges = false;
+        options.occlusion = false;
         options.ground = false;
         options.light.ambient = 1.0;
         return options;
@@ -165,6 +166,7 @@ TEST_F(VoxelViews, EdgesAndGridAreSeenAndFacesDiffer) {
     };
     VoxelViewOptions options;
     options.edges = false;
+    options.occlusion = false;
     options.ground = false;
     const Image bare = colours(options);
     std::vector<Rgba8> faces;
@@ -188,6 +190,69 @@ TEST_F(VoxelViews, EdgesAndGridAreSeenAndFacesDiffer) {
     }
     EXPECT_GT(darker, 300);
     EXPECT_GT(gridded, 300);
+}
+
+TEST_F(VoxelViews, CornersBetweenVoxelsAreShaded) {
+    // A floor with a wall on it: shade along the foot of the wall, none in the open.
+    VoxelGrid voxels = test::solidBox({16, 16, 1}, 40);
+    voxels.fill(IBox{{0, 15, 1}, {16, 16, 8}}, 40);
+    const GpuModel model(voxels);
+    const PlacedEntity placed = model.placedAt({0, 0, 0}, GameProfile{});
+    Camera above = camera(placed, {0, 90, 0}, 3.0);
+    VoxelView renderer = must(VoxelView::create());
+    Frame frame(kViewport);
+    VoxelViewOptions options;
+    options.edges = false;
+    const auto greenAt = [&](double y) {
+        const glm::dvec3 point = placed.worldFromVoxel({8.5, y, 1.0});
+        return frame.readColour()
+            .at(static_cast<int>(above.project(point).screenPx.x),
+                static_cast<int>(above.project(point).screenPx.y))
+            .y;
+    };
+    renderer.draw(frame, model.gpu, model.palette, placed, above, options);
+    const int open = greenAt(7.5);
+    const int foot = greenAt(14.9);
+    const int nearFoot = greenAt(14.3);
+    EXPECT_EQ(open, greenAt(3.5));
+    EXPECT_LT(foot, nearFoot);
+    EXPECT_LT(nearFoot, open);
+    options.occlusion = false;
+    renderer.draw(frame, model.gpu, model.palette, placed, above, options);
+    EXPECT_EQ(greenAt(14.9), open);
+}
+
+TEST_F(VoxelViews, SpriteLightGivesFacesTheSpritesOwnColours) {
+    const GpuModel model(test::solidBox({6, 6, 6}, 40));
+    const PlacedEntity placed = model.placedAt({0, 0, 0}, GameProfile{}, 70.0);
+    VoxelView renderer = must(VoxelView::create());
+    Frame frame(kViewport);
+    VoxelViewOptions options;
+    options.edges = false;
+    options.occlusion = false;
+    options.spriteLight = true;
+    for (const OrbitAngles& angles : {OrbitAngles{30, 30, 0}, OrbitAngles{200, -25, 0}}) {
+        const Camera view = camera(placed, angles, 3.0);
+        renderer.draw(frame, model.gpu, model.palette, placed, view, options);
+        const Image image = frame.readColour();
+        const std::vector<float> depth = frame.readDepth();
+        GameProfile profile;
+        profile.light = options.light;
+        const SpriteView sprite = *must(viewSprite(placed, view, profile)).view;
+        const LitPalette lit = litPalette(model.palette, sprite.light8, Outline{});
+        std::array<int, 3> pixels{};
+        for (std::size_t i = 0; i < depth.size(); ++i) {
+            if (depth[i] == 0.0f) continue;
+            bool known = false;
+            for (std::uint8_t axis = 0; axis < 3; ++axis) {
+                if (image.pixels[i] != lit.shade(40, axis)) continue;
+                known = true;
+                ++pixels[axis];
+            }
+            ASSERT_TRUE(known);
+        }
+        for (const int count : pixels) EXPECT_GT(count, 100);
+    }
 }
 
 }  // namespace
