@@ -1,9 +1,6 @@
 // What lies behind and under the sprites of a scene: sky, ground, grid and shadow blobs.
 #pragma once
 
-#include <cstdint>
-#include <span>
-
 #include "core/base/result.h"
 #include "core/sprite/camera.h"
 #include "render/gl/handles.h"

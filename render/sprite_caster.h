@@ -2,8 +2,8 @@
 #pragma once
 
 #include <glm/vec2.hpp>
-#include <memory>
-#include <optional>
+#include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/sprite/sprite_buffer.h"

@@ -112,6 +112,34 @@ TEST_F(SpriteBuffers, NoiseHasATieAtEveryTurn) {
     EXPECT_GE(narrow_, 120);
 }
 
+// Rays that start on a lattice corner and run along diagonals meet edges and corners all the way:
+// which cell comes first is a matter of the rules for ties alone.
+TEST_F(SpriteBuffers, RaysThroughEdgesAndCorners) {
+    const GpuModel model(test::randomVoxels(15, {14, 13, 12}, 0.15, 255));
+    for (int code = 0; code < 27; ++code) {
+        const glm::ivec3 direction(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
+        if (direction == glm::ivec3(0)) continue;
+        const int along = direction.x != 0 ? 0 : direction.y != 0 ? 1 : 2;
+        LatticeView lattice;
+        lattice.C = model.octree.size / 2 * 256;
+        lattice.D = direction * (1 + code % 4);
+        // Steps of half a voxel along the other two axes.
+        lattice.U[(along + 1) % 3] = 128 << kStepShift;
+        lattice.V[(along + 2) % 3] = 128 << kStepShift;
+        const PixelBounds bounds = must(pixelBounds(lattice, model.octree.size));
+        lattice.first = bounds.first;
+        lattice.size = bounds.size;
+        compare(model, lattice, "direction code " + std::to_string(code));
+        // The same through the middles of the cells: other axes tie.
+        lattice.C += glm::ivec3(128, 0, 0);
+        const PixelBounds shifted = must(pixelBounds(lattice, model.octree.size));
+        lattice.first = shifted.first;
+        lattice.size = shifted.size;
+        compare(model, lattice, "shifted, direction code " + std::to_string(code));
+    }
+    EXPECT_EQ(narrow_, 52);
+}
+
 TEST_F(SpriteBuffers, OneVoxelAndARod) {
     compareViews(test::solidBox({1, 1, 1}, 9), "one voxel", allKindsOfViews(20, 5),
                  {1.0, 2.0, 3.0, 4.0, 7.5, 16.0, 0.5, 64.0, 1.0 / 64.0});
