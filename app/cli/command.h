@@ -10,6 +10,7 @@
 #include <CLI/Formatter.hpp>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "core/base/result.h"
@@ -21,6 +22,9 @@ using Json = nlohmann::ordered_json;
 struct Report {
     Json json;
     std::string text;  // ends in a newline, or is empty
+    // Set when the command failed although it has this to report (a promise that is not held): the
+    // report is printed, then this, and the exit status is 1.
+    std::optional<Error> failure = std::nullopt;
 };
 
 struct Command {
@@ -35,6 +39,7 @@ void addExport(CLI::App& app, Command& command);
 void addRender(CLI::App& app, Command& command);
 void addCompare(CLI::App& app, Command& command);
 void addBench(CLI::App& app, Command& command);
+void addTrade(CLI::App& app, Command& command);
 
 // --json, which every command but `edit` has.
 void addJsonFlag(CLI::App& app, Command& command);

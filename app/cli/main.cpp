@@ -55,6 +55,7 @@ int runCommandLine(std::vector<std::string> arguments) {
     addRender(app, command);
     addCompare(app, command);
     addBench(app, command);
+    addTrade(app, command);
 
     std::string prefix = "voxprite";
     try {
@@ -64,12 +65,14 @@ int runCommandLine(std::vector<std::string> arguments) {
         if (!app.get_subcommands().empty()) {
             prefix += " " + app.get_subcommands().front()->get_name();
         }
-        const Result<Report> report = command.run();
+        Result<Report> report = command.run();
         if (!report) return reportFailure(prefix, report.error(), command.json, kFailure);
+        if (report->failure) report->json.update(errorJson(*report->failure));
         if (!print(command.json ? report->json.dump(2) + "\n" : report->text)) {
             return reportFailure(prefix, fail("cannot write to standard output").value(), false,
                                  kFailure);
         }
+        if (report->failure) return reportFailure(prefix, *report->failure, false, kFailure);
         return 0;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
