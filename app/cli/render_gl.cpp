@@ -17,6 +17,8 @@ Result<Image> drawVoxels(const Shot& shot, const GpuOctree& octree) {
     if (!view) return Failure(view.error());
     VoxelViewOptions options;
     options.edges = false;
+    options.occlusion = false;
+    options.spriteLight = true;
     options.ground = false;
     options.light = shot.profile.light;
     Frame frame(shot.camera.viewportPx);

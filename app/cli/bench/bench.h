@@ -36,6 +36,8 @@ struct Effort {
     [[nodiscard]] int minRuns() const { return quick ? 2 : 5; }
 };
 
+[[nodiscard]] double median(std::vector<double> values);  // of at least one
+
 // The median time of `run`, in milliseconds: run once uncounted, then minRuns() times at least,
 // until budgetMs() are used up.
 [[nodiscard]] double medianMs(const Effort& effort, const std::function<void()>& run);

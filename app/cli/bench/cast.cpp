@@ -15,7 +15,8 @@ namespace {
 
 // Two views of no special direction, and those that are hard: along an axis and isometric.
 constexpr OrbitAngles kViews[] = {{30, 20, 0}, {115, 60, 0}, {0, 0, 0}, {45, 35.264, 0}};
-constexpr double kSigma = 2.0;
+// Of the model's longest edge on the sprite: about as many rays whatever the model's size.
+constexpr double kEdgePx = 256.0;
 
 // The rays of one picture, made beforehand: what is measured is casting alone.
 struct Rays {
@@ -64,9 +65,10 @@ struct Load {
 
 Result<Load> loadOf(const BenchModel& model, const Effort& effort) {
     GameProfile profile;
-    profile.sigma = kSigma;
+    const glm::ivec3 size = model.octree.size;
+    profile.sigma = std::clamp(kEdgePx / std::max({size.x, size.y, size.z}), 1.0 / 64.0, 2.0);
     profile.minification = false;
-    const PlacedEntity placed = placeEntity(Entity{}, {{0, 0, 0}, model.octree.size}, profile);
+    const PlacedEntity placed = placeEntity(Entity{}, {{0, 0, 0}, size}, profile);
     Load load;
     for (const OrbitAngles& angles : std::span(kViews).first(effort.quick ? 2 : 4)) {
         const Camera camera =

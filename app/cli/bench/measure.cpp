@@ -38,6 +38,12 @@ Json machine() {
     return {{"cpu", cpuName()}, {"cores", hardwareThreads()}, {"simd", simdName()}};
 }
 
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
 double medianMs(const Effort& effort, const std::function<void()>& run) {
     run();
     std::vector<double> times;
@@ -48,9 +54,7 @@ double medianMs(const Effort& effort, const std::function<void()>& run) {
         run();
         times.push_back(one.milliseconds());
     }
-    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-    std::nth_element(times.begin(), middle, times.end());
-    return *middle;
+    return median(std::move(times));
 }
 
 }  // namespace voxprite::bench

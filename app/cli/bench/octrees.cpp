@@ -1,4 +1,5 @@
 // Baking octrees, and keeping a live one up to date.
+#include <cmath>
 #include <random>
 
 #include "app/cli/bench/bench.h"
@@ -10,8 +11,8 @@
 namespace voxprite::bench {
 namespace {
 
-// Reading every cell of the root's cube beyond this would take minutes.
-constexpr double kMaxNaiveCells = 512.0 * 512.0 * 512.0;
+// Reading every cell of the root's cube beyond this takes too long, and its nodes too much memory.
+constexpr double kMaxNaiveCells = 256.0 * 256.0 * 256.0;
 
 Json bakeFigure(const BenchModel& model, const char* baker, double ms) {
     return {{"model", model.name}, {"baker", baker}, {"ms", ms}};
@@ -58,9 +59,7 @@ Result<double> medianEditUs(LiveOctree& live, const Octree& octree, int edge, in
             static_cast<void>(live.takeChanges());
         }
     }
-    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-    std::nth_element(times.begin(), middle, times.end());
-    return *middle;
+    return median(std::move(times));
 }
 
 }  // namespace
