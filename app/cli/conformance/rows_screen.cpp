@@ -1,44 +1,15 @@
 // Rows 7, 12 and 15: which pixels of the sprite reach the screen, and how many rays that takes.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 
 #include "app/cli/conformance/conformance.h"
+#include "app/cli/conformance/outline_lost.h"
 #include "app/cli/conformance/subjects.h"
-#include "core/sprite/composite.h"
 #include "core/trace/lattice_caster.h"
 
 namespace voxprite::conformance {
 namespace {
-
-constexpr Rgba8 kSky{10, 20, 200, 255};
-constexpr Rgba8 kInk{250, 0, 250, 255};
-
-bool shows(const Image& image, glm::dvec2 screenPx, Rgba8 colour) {
-    const glm::dvec2 at = glm::floor(screenPx);
-    return at.x >= 0 && at.y >= 0 && at.x < image.width && at.y < image.height &&
-           image.at(static_cast<int>(at.x), static_cast<int>(at.y)) == colour;
-}
-
-// Outline pixels whose middle does not show in the picture.
-int outlineLost(const SpriteView& view, const SpriteBuffer& buffer, const Camera& camera) {
-    const std::array<CompositeSprite, 1> sprites{CompositeSprite{&view, &buffer, nullptr}};
-    const Image image = composite(sprites, camera, kSky);
-    int lost = 0;
-    for (int row = 0; row < buffer.size.y; ++row)
-        for (int column = 0; column < buffer.size.x; ++column) {
-            if (buffer.ids[static_cast<std::size_t>(row * buffer.size.x + column)] != kIdOutline)
-                continue;
-            const glm::dvec2 pixel{buffer.first.x + column + 0.5,
-                                   buffer.first.y + buffer.size.y - 1 - row + 0.5};
-            const glm::dvec2 metres = (pixel - view.pixelFromCentre) * view.metresPerPx;
-            const glm::dvec3 fromEye =
-                view.centreFromEyeMetres + view.right * metres.x + view.up * metres.y;
-            if (!shows(image, camera.projectFromEye(fromEye).screenPx, kInk)) ++lost;
-        }
-    return lost;
-}
 
 // Row 7.
 void compareProxy(Comparisons& all) {
