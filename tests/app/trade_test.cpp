@@ -1,0 +1,96 @@
+// voxprite trade: every decision beats the specification's literal reading, and holds its promise.
+#include <map>
+#include <set>
+
+#include "tests/app/cli_program.h"
+
+namespace voxprite::test {
+namespace {
+
+class Trade : public CommandLine {};
+
+TEST_F(Trade, OursKeepsItsPromiseAndTheLiteralReadingBreaksIt) {
+    const ProgramResult result = run({"trade", "--conformance", "--json"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    const nlohmann::json report = result.json();
+    std::set<int> rows;
+    std::set<std::string> keys;
+    for (const nlohmann::json& one : report.at("conformance")) {
+        const std::string key = one.at("key").get<std::string>();
+        EXPECT_TRUE(keys.insert(key).second) << key;
+        rows.insert(one.at("row").get<int>());
+        const double ours = one.at("ours").get<double>();
+        const double promised = one.at("promised").get<double>();
+        EXPECT_LE(ours, promised) << key;
+        EXPECT_GT(one.at("literal").get<double>(), promised) << key;
+        EXPECT_GE(ours, 0.0) << key;
+        EXPECT_TRUE(one.at("held").get<bool>()) << key;
+        EXPECT_FALSE(one.at("what").get<std::string>().empty());
+        EXPECT_FALSE(one.at("unit").get<std::string>().empty());
+        EXPECT_FALSE(one.at("how").get<std::string>().empty());
+    }
+    for (const nlohmann::json& one : report.at("left_out")) rows.insert(one.at("row").get<int>());
+    std::set<int> all;
+    for (int row = 1; row <= 19; ++row) all.insert(row);
+    EXPECT_EQ(rows, all);
+}
+
+// Figures whose true value is known beforehand, so that the readings are the ones they claim to be.
+TEST_F(Trade, LiteralFiguresAreThoseOfGeometry) {
+    const nlohmann::json report = run({"trade", "--conformance", "--json"}).json();
+    std::map<std::string, double> literal;
+    for (const nlohmann::json& one : report.at("conformance"))
+        literal[one.at("key").get<std::string>()] = one.at("literal").get<double>();
+    EXPECT_NEAR(literal.at("registration"), 3.2, 0.05);             // half of 64 voxels of 0.1 m
+    EXPECT_NEAR(literal.at("anchor_to_center"), 9.0509668, 1e-6);   // 6.4 m along both axes
+    EXPECT_NEAR(literal.at("camera_distance_30"), 13.39746, 1e-4);  // 1 - cos 30
+    EXPECT_NEAR(literal.at("camera_distance_45"), 29.28932, 1e-4);  // 1 - cos 45
+    EXPECT_NEAR(literal.at("entity_scale"), 50.0, 1e-9);
+    EXPECT_NEAR(literal.at("orthographic"), 100.0 * 11 / 12, 1e-9);  // divided by 12 m
+    EXPECT_NEAR(literal.at("minification"), 25.0, 3.0);
+    EXPECT_NEAR(literal.at("depth_resolution"), 0.6, 0.02);
+}
+
+TEST_F(Trade, FiguresAreTheSameOnEveryRun) {
+    EXPECT_EQ(run({"trade", "--conformance", "--json"}).out,
+              run({"trade", "--conformance", "--json"}).out);
+}
+
+TEST_F(Trade, TheTableSaysWhatTheJsonSays) {
+    const ProgramResult text = run({"trade", "--conformance"});
+    EXPECT_EQ(text.status, 0);
+    for (const nlohmann::json& one :
+         run({"trade", "--conformance", "--json"}).json().at("conformance"))
+        EXPECT_NE(text.out.find(one.at("what").get<std::string>()), std::string::npos);
+    EXPECT_NE(text.out.find("row 17 is left out"), std::string::npos);
+    EXPECT_NE(text.out.find("row 18 is left out"), std::string::npos);
+}
+
+TEST_F(Trade, NothingBreaksAtTheExtremes) {
+    const ProgramResult result = run({"trade", "--stability", "--json"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    const nlohmann::json report = result.json();
+    int bounded = 0;
+    for (const nlohmann::json& sweep : report.at("stability")) {
+        const std::string key = sweep.at("key").get<std::string>();
+        EXPECT_EQ(sweep.at("failures"), 0) << key << ": " << sweep.at("first_failure");
+        EXPECT_EQ(sweep.at("not_run"), "") << key;
+        EXPECT_GT(sweep.at("cases").get<int>(), sweep.at("refused").get<int>()) << key;
+        for (const nlohmann::json& figure : sweep.at("figures")) {
+            if (figure.at("promised").is_null()) continue;
+            ++bounded;
+            EXPECT_LE(figure.at("value").get<double>(), figure.at("promised").get<double>())
+                << key << ", " << figure.at("key");
+        }
+    }
+    EXPECT_EQ(report.at("stability").size(), 9u);
+    EXPECT_GE(bounded, 16);
+}
+
+TEST_F(Trade, SaysWhatToMeasure) {
+    EXPECT_EQ(run({"trade"}).status, 2);
+    EXPECT_EQ(run({"trade", "--json"}).status, 2);
+}
+
+}  // namespace
+}  // namespace voxprite::test
