@@ -76,6 +76,21 @@ Status writeTemporary(const std::filesystem::path& temporary, const std::filesys
     return {};
 }
 
+// A device or a pipe: it takes bytes, but must not be replaced by a file.
+bool isStream(const std::filesystem::path& path) {
+    struct stat status {};
+    return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) &&
+           !S_ISDIR(status.st_mode);
+}
+
+Status writeToStream(const std::filesystem::path& path, ByteView bytes) {
+    FileDescriptor stream(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (!stream.isOpen()) return systemFailure(path, "cannot be opened");
+    if (!writeAll(stream.get(), bytes)) return systemFailure(path, "cannot be written");
+    if (stream.close() != 0) return systemFailure(path, "cannot be written");
+    return {};
+}
+
 // Writing through a symbolic link replaces what it points to and keeps the link.
 std::filesystem::path linkTarget(const std::filesystem::path& path) {
     std::error_code error;
@@ -112,6 +127,7 @@ Result<std::string> readTextFile(const std::filesystem::path& path) {
 }
 
 Status writeFileAtomically(const std::filesystem::path& requested, ByteView bytes) {
+    if (isStream(requested)) return writeToStream(requested, bytes);
     const std::filesystem::path path = linkTarget(requested);
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
     static std::atomic<unsigned> counter{0};

@@ -1,5 +1,6 @@
 // Whole files in, whole files out. Writing is atomic: a temporary file in the same folder, fsync,
-// rename, fsync of the folder; a failure leaves the old file as it was and no temporary behind.
+// rename, fsync of the folder; a failure leaves the old file as it was and no temporary behind. To
+// a device or a pipe (/dev/stdout) the bytes are simply written.
 #pragma once
 
 #include <filesystem>

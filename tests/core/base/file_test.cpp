@@ -1,7 +1,9 @@
 #include "core/base/file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <iterator>
@@ -64,6 +66,23 @@ TEST(File, WritesThroughALinkAndKeepsIt) {
     ASSERT_TRUE(writeFileAtomically(folder / "link", std::string("second")));
     EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
     EXPECT_EQ(readTextFile(folder / "target").value(), "second");
+}
+
+TEST(File, WritesToAPipeWithoutReplacingIt) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    std::filesystem::create_symlink("pipe", folder / "link");
+    const int reader = ::open((folder / "pipe").c_str(), O_RDONLY | O_NONBLOCK);
+    ASSERT_GE(reader, 0);
+    ASSERT_TRUE(writeFileAtomically(folder / "pipe", std::string("straight ")));
+    ASSERT_TRUE(writeFileAtomically(folder / "link", std::string("linked")));
+    std::string text(100, '\0');
+    const ssize_t got = ::read(reader, text.data(), text.size());
+    ::close(reader);
+    ASSERT_GE(got, 0);
+    EXPECT_EQ(text.substr(0, static_cast<std::size_t>(got)), "straight linked");
+    EXPECT_TRUE(std::filesystem::is_fifo(folder / "pipe"));
+    EXPECT_EQ(entriesIn(folder.path()), 2u);
 }
 
 TEST(File, AMissingFolderIsAnErrorThatNamesTheFile) {
