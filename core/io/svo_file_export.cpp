@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "core/io/svo_file_format.h"
@@ -41,6 +42,26 @@ std::uint32_t durationOf(int frame, double framesPerSecond) {
         return std::llround(frames * 1000.0 / framesPerSecond);
     };
     return static_cast<std::uint32_t>(std::max(milliseconds(frame + 1) - milliseconds(frame), 1LL));
+}
+
+// The rate whose frames round to these durations: a whole one if there is, so that a file made from
+// a file is the same. Of uneven durations the mean.
+double framesPerSecondOf(const std::vector<std::uint32_t>& durations) {
+    // Milliseconds a frame: after k frames k of them have to round to what has passed by then.
+    double least = 0.0;
+    double most = std::numeric_limits<double>::infinity();
+    double passed = 0.0;
+    double frames = 0.0;
+    for (const std::uint32_t duration : durations) {
+        passed += duration;
+        frames += 1.0;
+        least = std::max(least, (passed - 0.5) / frames);
+        most = std::min(most, (passed + 0.5) / frames);
+    }
+    const double mean = 1000.0 * frames / passed;
+    const double whole = std::round(mean);
+    if (1000.0 / whole > least && 1000.0 / whole < most) return whole;
+    return least < most ? 2000.0 / (least + most) : mean;
 }
 
 SvoClip clipOf(const Clip& clip, const std::vector<std::uint32_t>& modelOfFrame) {
@@ -249,11 +270,7 @@ Document documentFromSvo(const SvoFile& file) {
         clip.name = exported.name;
         clip.loop = exported.loop;
         clip.first = frame;
-        double milliseconds = 0.0;
-        for (const std::uint32_t duration : exported.durationsMilliseconds) {
-            milliseconds += duration;
-        }
-        clip.framesPerSecond = 1000.0 * static_cast<double>(exported.models.size()) / milliseconds;
+        clip.framesPerSecond = framesPerSecondOf(exported.durationsMilliseconds);
         for (const std::uint32_t model : exported.models) show(model);
         clip.last = frame - 1;
         document.clips.push_back(clip);

@@ -97,6 +97,17 @@ TEST(SvoExport, ClipsComeFromTheDocument) {
     EXPECT_TRUE(verifyExport(writeSvo(file).value(), document));
 }
 
+TEST(SvoExport, ClipsKeepTheirDurationsFromFileToFile) {
+    Document document = growing();
+    // 6 and 24 frames a second are no whole number of milliseconds a frame.
+    document.clips = {{"walk", 0, 3, 6.0, true}, {"run", 0, 3, 24.0, true}, {"odd", 0, 3, 7.3}};
+    const Bytes bytes = exported(document);
+    const Document again = documentFromSvo(readSvo(bytes).value());
+    EXPECT_EQ(again.clips[0].framesPerSecond, 6.0);
+    EXPECT_EQ(again.clips[1].framesPerSecond, 24.0);
+    EXPECT_EQ(exported(again), bytes);
+}
+
 TEST(SvoExport, BusyDocumentIsExactInEveryFrame) {
     const Document document = test::busyDocument();
     const Bytes bytes = exported(document);
