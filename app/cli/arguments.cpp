@@ -68,6 +68,13 @@ std::optional<double> numberFrom(std::string_view text) {
     return value;
 }
 
+std::optional<int> indexFrom(std::string_view text) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
 std::optional<glm::dvec3> vectorFrom(std::string_view text) {
     glm::dvec3 vector{0.0};
     for (int axis = 0; axis < 3; ++axis) {

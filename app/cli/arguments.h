@@ -22,6 +22,7 @@ namespace voxprite::cli {
 
 // Whole texts only; nothing when the text is something else. Numbers may not be infinite or NaN.
 [[nodiscard]] std::optional<double> numberFrom(std::string_view text);
+[[nodiscard]] std::optional<int> indexFrom(std::string_view text);
 [[nodiscard]] std::optional<glm::dvec3> vectorFrom(std::string_view text);  // "x,y,z"
 [[nodiscard]] std::optional<glm::ivec2> sizeFrom(std::string_view text);    // "WxH"
 [[nodiscard]] std::optional<bool> switchFrom(std::string_view text);        // "on" or "off"

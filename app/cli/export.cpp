@@ -1,4 +1,5 @@
 // voxprite export IN -o OUT.svo: the octree for the game's runtime, verified.
+#include "app/cli/arguments.h"
 #include "app/cli/command.h"
 #include "app/cli/source.h"
 #include "core/base/file.h"
@@ -67,8 +68,9 @@ void addExport(CLI::App& app, Command& command) {
     sub.add_option("--profile", options->profile,
                    "The game profile (JSON) whose values are recorded as authored")
         ->type_name("FILE");
-    sub.add_option("--model", options->model,
-                   "Only this source model, as `inspect` lists them (from 0), not the entity");
+    addParsed(sub, "--model", "INDEX",
+              "Only this source model, as `inspect` lists them (from 0), not the entity", indexFrom,
+              [options](int model) { options->model = model; });
     addJsonFlag(sub, command);
     runs(sub, command, options, exportSvo);
 }

@@ -22,12 +22,16 @@ bool print(const std::string& text) {
            std::fflush(stdout) == 0;
 }
 
+// Scripts find the keys always: `file` is empty where none is concerned, and without a place in it
+// `offset` is null.
 Json errorJson(const Error& error) {
-    Json json = Json::object();
-    if (!error.file.empty()) json["file"] = textJson(error.file);
-    if (error.offset) json["offset"] = *error.offset;
-    if (error.line) json["line"] = *error.line;
-    if (error.column) json["column"] = *error.column;
+    Json json = {{"file", textJson(error.file)}};
+    if (error.line) {
+        json["line"] = *error.line;
+        if (error.column) json["column"] = *error.column;
+    } else {
+        json["offset"] = error.offset ? Json(*error.offset) : Json(nullptr);
+    }
     json["message"] = textJson(error.message);
     return {{"error", std::move(json)}};
 }

@@ -94,9 +94,10 @@ void addCameraOptions(CLI::App& app, RenderOptions& o) {
 }
 
 void addEntityOptions(CLI::App& app, RenderOptions& o) {
-    app.add_option("--model", o.model,
-                   "Only this source model, as `inspect` lists them (from 0), not the entity");
-    app.add_option("--frame", o.frame, "The frame of the animation, from 0");
+    add(app, "--model", "INDEX",
+        "Only this source model, as `inspect` lists them (from 0), not the entity", indexFrom,
+        o.model);
+    add(app, "--frame", "INDEX", "The frame of the animation, from 0", indexFrom, o.frame);
     add(app, "--anchor", "x,y,z", "The anchor in voxels from the bounds' minimum corner",
         vectorFrom, o.anchorVoxels);
     add(app, "--rotate", "yaw,pitch,roll", "The entity's rotation in degrees", vectorFrom,

@@ -44,6 +44,7 @@ class Cli : public CommandLine {
         const Json error = withJson.json()["error"];
         EXPECT_NE(error["file"].get<std::string>().find(name), std::string::npos);
         EXPECT_FALSE(error["message"].get<std::string>().empty());
+        EXPECT_NE(error.contains("offset"), error.contains("line")) << withJson.out;
     }
     void expectWrongUsage(const std::vector<std::string>& arguments,
                           const std::string& part) const {
@@ -78,14 +79,15 @@ TEST_F(Cli, WrongUsageIsStatus2) {
     expectWrongUsage({"bench", "--only", "cast,soup"}, "soup");
     expectWrongUsage({"render", figureFile}, "--json");
     for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{
-             {"--size", "512"},       {"--size", "0x5"},        {"--size", "99999x99999"},
-             {"--yaw", "north"},      {"--yaw", "nan"},         {"--sigma", "0"},
-             {"--sigma", "inf"},      {"--sigma", "65"},        {"--voxel-size", "-1"},
-             {"--anchor", "1,2"},     {"--anchor", "1,2,3,4"},  {"--rotate", "a,b,c"},
-             {"--mode", "billboard"}, {"--backend", "vulkan"},  {"--view", "sideways"},
-             {"--depth", "middle"},   {"--background", "red"},  {"--distance", "0"},
-             {"--fov", "180"},        {"--scale", "0"},         {"--view-step", "90"},
-             {"--clearance", "-1"},   {"--position", "1,nan,0"}}) {
+             {"--size", "512"},       {"--size", "0x5"},         {"--size", "99999x99999"},
+             {"--yaw", "north"},      {"--yaw", "nan"},          {"--sigma", "0"},
+             {"--sigma", "inf"},      {"--sigma", "65"},         {"--voxel-size", "-1"},
+             {"--anchor", "1,2"},     {"--anchor", "1,2,3,4"},   {"--rotate", "a,b,c"},
+             {"--mode", "billboard"}, {"--backend", "vulkan"},   {"--view", "sideways"},
+             {"--depth", "middle"},   {"--background", "red"},   {"--distance", "0"},
+             {"--fov", "180"},        {"--scale", "0"},          {"--view-step", "90"},
+             {"--clearance", "-1"},   {"--position", "1,nan,0"}, {"--model", ""},
+             {"--frame", ""},         {"--frame", "0.5"}}) {
         const ProgramResult result = run({"render", figureFile, "--json", option, value});
         EXPECT_EQ(result.status, 2) << option << " " << value << ": " << result.err;
         EXPECT_EQ(result.errorLines(), 1) << result.err;
@@ -106,7 +108,9 @@ TEST_F(Cli, FailuresNameFilePlaceAndReason) {
         expectFailure({"export", path, "-o", file("out.svo")}, name, ":");
         expectFailure({"render", path, "-o", file("out.png")}, name, ":");
     }
-    EXPECT_TRUE(run({"inspect", noVox, "--json"}).json()["error"].contains("offset"));
+    EXPECT_TRUE(run({"inspect", noVox, "--json"}).json()["error"]["offset"].is_number());
+    EXPECT_TRUE(run({"inspect", missing, "--json"}).json()["error"]["offset"].is_null());
+    EXPECT_EQ(run({"inspect", "--json"}).json()["error"]["file"], "");
 
     const std::string figureFile = saved("figure.vox", documentOf(figure()));
     expectFailure({"convert", figureFile, "-o", file("no/folder/out.vox")}, "out.vox", "folder");
