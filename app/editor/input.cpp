@@ -57,10 +57,13 @@ constexpr std::array<std::string_view, 12> kFunctionKeys{"f1", "f2", "f3", "f4",
 std::vector<InputEvent> InputQueue::takeFrame() {
     std::vector<InputEvent> frame;
     std::vector<int> changedKeys;
+    bool keyWentDown = false;
     while (!events_.empty()) {
         const InputEvent& next = events_.front();
         if (next.kind == InputKind::key) {
             if (std::ranges::find(changedKeys, next.code) != changedKeys.end()) break;
+            if (keyWentDown && !next.down) break;
+            keyWentDown = keyWentDown || next.down;
             changedKeys.push_back(next.code);
         }
         const bool ends = next.kind == InputKind::button || next.kind == InputKind::drop;

@@ -11,6 +11,23 @@ namespace {
 // What an empty document shows of the ground, in voxels.
 constexpr IBox kEmptyShown{{-12, -12, 0}, {12, 12, 12}};
 
+std::string toolName(const ToolSettings& tool) {
+    const bool box = tool.shape == BrushShape::box;
+    switch (tool.tool) {
+        case Tool::attach:
+            return box ? "Attach boxes" : "Attach";
+        case Tool::erase:
+            return box ? "Erase boxes" : "Erase";
+        case Tool::paint:
+            return box ? "Paint boxes" : "Paint";
+        case Tool::pickColour:
+            return "Click a voxel for its colour";
+        case Tool::pickAnchor:
+            return "Click a voxel for the anchor; Shift: its face";
+    }
+    return {};
+}
+
 EditMode modeOf(Tool tool) {
     if (tool == Tool::erase) return EditMode::erase;
     return tool == Tool::paint ? EditMode::paint : EditMode::attach;
@@ -56,7 +73,7 @@ void VoxelViewport::show(Ui& ui, ImVec2 min, ImVec2 size, std::string& refusal) 
     } else {
         drawHover(ui, camera);
     }
-    canvas_.caption(ui, "Edit", "");
+    canvas_.caption(ui, "Edit", toolName(ui.settings.tool));
     canvas_.end();
 }
 

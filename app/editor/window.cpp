@@ -18,6 +18,7 @@ struct Window::Impl {
     GLFWwindow* window = nullptr;
     InputQueue input;
     std::optional<double> forcedScale;
+    std::string title;
     std::array<GLFWcursor*, 5> cursors{};
     CursorShape cursor = CursorShape::arrow;
 
@@ -178,6 +179,9 @@ bool Window::takeCloseRequest() {
 }
 
 void Window::setTitle(const std::string& title) {
+    // Said again, it would come back as an event and keep the loop awake.
+    if (impl_->title == title) return;
+    impl_->title = title;
     glfwSetWindowTitle(impl_->window, title.c_str());
 }
 

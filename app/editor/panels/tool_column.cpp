@@ -1,15 +1,28 @@
 // The narrow column on the left: tools, brush shapes, gizmos, what the views show.
+#include <algorithm>
+#include <cmath>
+
 #include "app/editor/panels/panels.h"
 #include "app/editor/widgets.h"
 
 namespace voxprite::editor {
 namespace {
 
+// Buttons shrink before anything is cut off in a low window.
+constexpr float kButton = 36.0f, kLeastButton = 24.0f;
+constexpr float kButtons = 15.0f, kBesides = 112.0f;
+
+float buttonSize(const Ui& ui) {
+    const float room = ImGui::GetWindowHeight() - ui.theme.px(kBesides);
+    return std::floor(std::clamp(room / kButtons, ui.theme.px(kLeastButton), ui.theme.px(kButton)));
+}
+
 void group(Ui& ui, Lit litWhenOn, std::initializer_list<CommandId> ids) {
-    const float size = ui.theme.px(36);
+    const float size = buttonSize(ui);
+    ImFont* font = size < ui.theme.px(30) ? ui.theme.fonts.text : ui.theme.fonts.icons;
     for (const CommandId id : ids) {
-        commandButton(ui, id, isOn(id, ui.settings) ? litWhenOn : Lit::off, size,
-                      ui.theme.fonts.icons);
+        ImGui::SetCursorPosX(std::round((ImGui::GetWindowWidth() - size) * 0.5f));
+        commandButton(ui, id, isOn(id, ui.settings) ? litWhenOn : Lit::off, size, font);
     }
 }
 

@@ -1,0 +1,194 @@
+#include "tests/app/editor_window.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <thread>
+#include <utility>
+
+namespace voxprite::test {
+namespace {
+
+// How long something may take before it counts as never; generous, a busy machine is no failure.
+constexpr std::chrono::seconds kNever(90);
+constexpr std::chrono::milliseconds kBetweenLooks(20);
+
+std::string contentOf(const std::filesystem::path& path) {
+    std::ostringstream content;
+    content << std::ifstream(path, std::ios::binary).rdbuf();
+    return content.str();
+}
+
+std::vector<char*> pointersTo(const std::vector<std::string>& texts) {
+    std::vector<char*> pointers;
+    for (const std::string& text : texts) pointers.push_back(const_cast<char*>(text.c_str()));
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
+}  // namespace
+
+Process::Process(const std::vector<std::string>& arguments,
+                 const std::vector<std::string>& environment, const std::filesystem::path& output,
+                 int inheritedDescriptor) {
+    id_ = ::fork();
+    if (id_ != 0) return;
+    const int log = ::open(output.c_str(), O_CREAT | O_WRONLY | O_APPEND | O_CLOEXEC, 0600);
+    ::dup2(log, 1);
+    ::dup2(log, 2);
+    if (inheritedDescriptor >= 0) ::fcntl(inheritedDescriptor, F_SETFD, 0);
+    for (const std::string& variable : environment) ::putenv(const_cast<char*>(variable.c_str()));
+    ::execvp(arguments.front().c_str(), pointersTo(arguments).data());
+    ::perror(arguments.front().c_str());
+    ::_exit(127);
+}
+
+Process::~Process() {
+    if (!running()) return;
+    ::kill(id_, SIGTERM);
+    ::waitpid(id_, nullptr, 0);
+}
+
+Process& Process::operator=(Process&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(status_, other.status_);
+    return *this;
+}
+
+bool Process::running() {
+    if (id_ <= 0) return false;
+    int status = 0;
+    if (::waitpid(id_, &status, WNOHANG) == 0) return true;
+    status_ = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    id_ = -1;
+    return false;
+}
+
+int Process::wait() {
+    const auto deadline = std::chrono::steady_clock::now() + kNever;
+    while (running() && std::chrono::steady_clock::now() < deadline) {
+        std::this_thread::sleep_for(kBetweenLooks);
+    }
+    return running() ? -1 : status_;
+}
+
+void EditorWindow::startDisplay(glm::ivec2 screenPx) {
+    // The server chooses a free number and writes it to the pipe once it is ready.
+    int pipe[2] = {-1, -1};
+    ASSERT_EQ(::pipe2(pipe, O_CLOEXEC), 0);
+    const std::string screen =
+        std::to_string(screenPx.x) + "x" + std::to_string(screenPx.y) + "x24";
+    server_ = Process({"Xvfb", "-displayfd", std::to_string(pipe[1]), "-screen", "0", screen,
+                       "+extension", "GLX", "-nolisten", "tcp", "-noreset"},
+                      {}, file("xvfb.log"), pipe[1]);
+    ::close(pipe[1]);
+    std::string number;
+    for (char digit = 0; ::read(pipe[0], &digit, 1) == 1 && digit != '\n';) number += digit;
+    ::close(pipe[0]);
+    ASSERT_FALSE(number.empty()) << "Xvfb did not start: " << contentOf(file("xvfb.log"));
+    display_ = ":" + number;
+    ASSERT_EQ(std::system("command -v xdotool >/dev/null"), 0) << "xdotool is not installed";
+}
+
+void EditorWindow::setResolution(int dotsPerInch) {
+    const std::string command = "echo 'Xft.dpi: " + std::to_string(dotsPerInch) +
+                                "' | DISPLAY=" + display_ + " xrdb -merge -nocpp";
+    ASSERT_EQ(std::system(command.c_str()), 0) << command;
+}
+
+std::vector<std::string> EditorWindow::environment() const {
+    return {"DISPLAY=" + display_, "XDG_CONFIG_HOME=" + file("config").string(),
+            "LIBGL_ALWAYS_SOFTWARE=1"};
+}
+
+void EditorWindow::startEditor(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {VOXPRITE_PROGRAM, "edit"});
+    arguments.insert(arguments.end(), {"--dump-layout", file("layout.json").string(), "--record",
+                                       file("record.jsonl").string()});
+    editor_ = Process(arguments, environment(), file("editor.log"));
+    await("the editor to show itself", [](const auto&) { return true; });
+}
+
+int EditorWindow::runEditor(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {VOXPRITE_PROGRAM, "edit"});
+    editor_ = Process(arguments, environment(), file("editor.log"));
+    return editor_.wait();
+}
+
+std::string EditorWindow::said() const {
+    return contentOf(file("editor.log"));
+}
+
+nlohmann::json EditorWindow::layout() const {
+    return nlohmann::json::parse(contentOf(file("layout.json")), nullptr, false);
+}
+
+nlohmann::json EditorWindow::state() const {
+    const nlohmann::json all = layout();
+    return all.is_object() ? all.at("state") : nlohmann::json();
+}
+
+void EditorWindow::await(const std::string& what,
+                         const std::function<bool(const nlohmann::json&)>& holds) {
+    const auto deadline = std::chrono::steady_clock::now() + kNever;
+    while (std::chrono::steady_clock::now() < deadline) {
+        const nlohmann::json now = layout();
+        if (now.is_object() && holds(now)) return;
+        ASSERT_TRUE(editor_.running()) << "the editor ended while waiting for " << what << "\n"
+                                       << said();
+        std::this_thread::sleep_for(kBetweenLooks);
+    }
+    FAIL() << "never: " << what << "\n"
+           << layout().dump() << said() << contentOf(file("record.jsonl"));
+}
+
+glm::ivec2 EditorWindow::centreOf(const std::string& item) {
+    await("widget " + item, [&](const auto& now) { return now.at("items").contains(item); });
+    // A window that has just opened may still find its size: take what two looks agree about.
+    std::vector<double> rect, before;
+    do {
+        before = rect;
+        std::this_thread::sleep_for(10 * kBetweenLooks);
+        const nlohmann::json all = layout();
+        if (!all.is_object() || !all.at("items").contains(item)) continue;
+        rect = all.at("items").at(item).get<std::vector<double>>();
+    } while (rect.empty() || rect != before);
+    return {static_cast<int>((rect[0] + rect[2]) / 2), static_cast<int>((rect[1] + rect[3]) / 2)};
+}
+
+void EditorWindow::xdotool(const std::string& arguments) const {
+    const std::string command = "DISPLAY=" + display_ + " xdotool " + arguments;
+    ASSERT_EQ(std::system(command.c_str()), 0) << command;
+}
+
+void EditorWindow::moveTo(glm::ivec2 at) {
+    xdotool("mousemove " + std::to_string(at.x) + " " + std::to_string(at.y));
+}
+
+void EditorWindow::click(glm::ivec2 at, int button) {
+    moveTo(at);
+    xdotool("click " + std::to_string(button));
+}
+
+void EditorWindow::drag(glm::ivec2 from, glm::ivec2 to, int button) {
+    moveTo(from);
+    xdotool("mousedown " + std::to_string(button));
+    for (int i = 1; i <= 8; ++i) moveTo(from + (to - from) * i / 8);
+    xdotool("mouseup " + std::to_string(button));
+}
+
+void EditorWindow::key(const std::string& chord) {
+    xdotool("key " + chord);
+}
+
+void EditorWindow::type(const std::string& text) {
+    xdotool("type --delay 15 '" + text + "'");
+}
+
+}  // namespace voxprite::test

@@ -1,0 +1,75 @@
+// The editor in a real window: an X server without a screen (Xvfb), the program, and xdotool as the
+// hand. Widgets are found by name in the layout that the program writes.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/types.h>
+
+#include <filesystem>
+#include <functional>
+#include <glm/vec2.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/support/temporary_folder.h"
+
+namespace voxprite::test {
+
+// A child process, killed when this goes.
+class Process {
+  public:
+    Process() = default;
+    Process(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
+            const std::filesystem::path& output, int inheritedDescriptor = -1);
+    ~Process();
+    Process(const Process&) = delete;
+    Process& operator=(Process&& other) noexcept;
+    [[nodiscard]] bool running();
+    // Its exit status once it has ended by itself; -1 when it crashed or had to be killed.
+    [[nodiscard]] int wait();
+
+  private:
+    pid_t id_ = -1;
+    int status_ = -1;
+};
+
+class EditorWindow : public testing::Test {
+  protected:
+    // Starts an X server of its own with a screen of this size.
+    void startDisplay(glm::ivec2 screenPx);
+    void setResolution(int dotsPerInch);  // Xft.dpi: 96 is content scale 1
+    void startEditor(std::vector<std::string> arguments);
+    // Runs the editor to its end; its exit status.
+    [[nodiscard]] int runEditor(std::vector<std::string> arguments);
+
+    // What the program last said about itself; null before it said anything.
+    [[nodiscard]] nlohmann::json layout() const;
+    [[nodiscard]] nlohmann::json state() const;
+    // Waits until it holds; fails the test, naming `what`, when it never does.
+    void await(const std::string& what, const std::function<bool(const nlohmann::json&)>& holds);
+    [[nodiscard]] glm::ivec2 centreOf(const std::string& item);
+
+    void moveTo(glm::ivec2 at);
+    void click(glm::ivec2 at, int button = 1);
+    void drag(glm::ivec2 from, glm::ivec2 to, int button = 1);
+    void key(const std::string& chord);
+    void type(const std::string& text);
+
+    [[nodiscard]] std::filesystem::path file(const std::string& name) const {
+        return folder_ / name;
+    }
+    [[nodiscard]] std::string said() const;  // the program's output
+    [[nodiscard]] Process& editor() { return editor_; }
+
+  private:
+    void xdotool(const std::string& arguments) const;
+    [[nodiscard]] std::vector<std::string> environment() const;
+
+    TemporaryFolder folder_;
+    std::string display_;
+    Process server_;
+    Process editor_;
+};
+
+}  // namespace voxprite::test
