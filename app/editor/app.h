@@ -32,6 +32,7 @@ class App {
     // Dropped or otherwise asked for; asks about unsaved changes first.
     void requestOpen(const std::filesystem::path& file);
     void requestQuit();
+    void say(std::string text) { toasts_.info(std::move(text)); }
 
     [[nodiscard]] bool quits() const { return quits_; }
     // Something moves by itself, so that the next frame must not wait for input.

@@ -186,6 +186,10 @@ Status runEditor(const EditorOptions& options) {
     if (!options.files.empty()) {
         if (Status opened = (*app)->openAtStart(options.files.front()); !opened) return opened;
     }
+    if (options.files.size() > 1) {
+        (*app)->say("One document at a time: " + options.files.front().filename().string() +
+                    " is open");
+    }
     Editor editor(options, *window, *host, **app);
     if (Status started = editor.startReplay(); !started) return started;
     if (Status ran = editor.run(); !ran) return ran;

@@ -69,9 +69,12 @@ Status Session::saveAs(const std::filesystem::path& path) {
 Status Session::openProfile(const std::filesystem::path& path) {
     Result<GameProfile> profile = readProfileFile(path);
     if (!profile) return Failure(profile.error());
+    const bool wasSaved = history_.isSaved();
     Status performed =
         perform(makeAction("Open game profile", ProfileEdit{workspace_.profile, *profile}));
     if (!performed) return performed;
+    // The profile has a file of its own: the document is as saved as it was.
+    if (wasSaved) history_.markSaved();
     profilePath_ = path;
     savedProfile_ = workspace_.profile;
     return {};

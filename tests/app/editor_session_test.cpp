@@ -267,6 +267,7 @@ TEST(EditorSession, TheGamesProfileWinsOverAuthoredValues) {
     ASSERT_TRUE(writeProfileFile(folder / "game.json", game));
     Session bound;
     ASSERT_TRUE(bound.openProfile(folder / "game.json"));
+    EXPECT_FALSE(bound.unsaved());
     ASSERT_TRUE(bound.open(folder / "a.voxprite"));
     EXPECT_EQ(bound.profile().sigma, 3.0);
 }

@@ -72,7 +72,6 @@ TEST_F(EditorInAWindow, PlacesUndoesTunesAndExports) {
     const glm::ivec2 slider = centreOf("inspector.sigma");
     drag(slider, {slider.x - 30, slider.y});
     await("a smaller sigma", [](const Json& now) { return now.at("state").at("sigma") < 3.0; });
-    const double sigma = state().at("sigma");
 
     key("ctrl+e");
     ASSERT_NO_FATAL_FAILURE(awaitDialog("browser"));
@@ -86,7 +85,7 @@ TEST_F(EditorInAWindow, PlacesUndoesTunesAndExports) {
 
     const Result<LoadedDocument> exported = loadDocument(file("edited.svo"));
     ASSERT_TRUE(exported) << exported.error().describe();
-    EXPECT_EQ(exported->document.authored.sigma, sigma);
+    EXPECT_EQ(exported->document.authored.sigma, state().at("sigma").get<double>());
     // The file counts from its minimum corner; so do both sides here.
     VoxelGrid expected = flatten(document, 0);
     ASSERT_EQ(expected.get(voxel), 5);
