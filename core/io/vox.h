@@ -12,8 +12,9 @@
 //             sends cell v to -v - 1 and parts of odd and even sizes meet.
 // Scene       A transform and the group or shape below it are one SceneNode, named by the
 //             transform. Nodes that the file shares are copied for each use. Without a scene graph
-//             every model gets an object whose pivot is over the origin and whose bottom is at
-//             z = 0, as MagicaVoxel places what it opens.
+//             there is one object whose pivot is over the origin and whose bottom is at z = 0, as
+//             MagicaVoxel places what it opens; several models are frames of its animation, which
+//             is what PACK was for.
 // Animation   _f of a transform's frames and of a shape's models are the keys' frames (an entry
 //             without one: its position in the list); _loop "1" starts the track again.
 // Layers      by their id; ids that are missing become blank layers.

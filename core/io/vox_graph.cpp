@@ -204,24 +204,26 @@ std::vector<SceneNode> inFileOrder(Tree tree) {
     return nodes;
 }
 
-// Files from before the scene graph: every model with its pivot over the origin and its bottom at
-// z = 0, which is where MagicaVoxel puts a model that it opens.
-std::vector<SceneNode> sceneOfModels(VoxFile& file) {
-    if (file.models.size() > 1) {
-        file.warnings.add("there is no scene graph; all " + std::to_string(file.models.size()) +
-                          " models are placed at the origin");
-    }
-    std::vector<SceneNode> nodes;
-    nodes.emplace_back();
+// Files from before the scene graph: one object with its pivot over the origin and its bottom at
+// z = 0, which is where MagicaVoxel puts a model that it opens. Several models (PACK) were how
+// those files held an animation: a model a frame.
+std::vector<SceneNode> sceneOfModels(const VoxFile& file) {
+    SceneNode root;
+    if (file.models.empty()) return {root};
+    SceneNode object;
+    object.parent = 0;
+    object.placements.clear();
     for (std::size_t i = 0; i < file.models.size(); ++i) {
-        SceneNode node;
-        node.parent = 0;
-        node.models = {{0, static_cast<int>(i)}};
-        node.placements[0].placement.translation.z = -file.models[i].canvas.min.z;
-        nodes[0].children.push_back(static_cast<int>(nodes.size()));
-        nodes.push_back(std::move(node));
+        const int frame = static_cast<int>(i);
+        Placement placement;
+        placement.translation.z = -file.models[i].canvas.min.z;
+        object.models.push_back({frame, frame});
+        if (object.placements.empty() || !(object.placements.back().placement == placement)) {
+            object.placements.push_back({frame, placement});
+        }
     }
-    return nodes;
+    root.children = {1};
+    return {root, object};
 }
 
 }  // namespace

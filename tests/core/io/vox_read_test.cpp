@@ -69,10 +69,12 @@ TEST(VoxRead, AModelWithoutSceneGraphStandsOnTheGround) {
         .model({3, 4, 5}, {{0, 0, 0, 1}})
         .model({2, 2, 2}, {{1, 1, 0, 2}});
     const Document document = read(builder);
-    ASSERT_EQ(document.nodes.size(), 3u);
-    EXPECT_THAT(document.nodes[0].children, ElementsAre(1, 2));
-    EXPECT_EQ(test::mapOf(flatten(document, 0)),
-              (test::VoxelMap{{{-1, -2, 0}, 1}, {{0, 0, 0}, 2}}));
+    // Several models are the frames of one object.
+    ASSERT_EQ(document.nodes.size(), 2u);
+    ASSERT_EQ(frameCount(document), 2);
+    EXPECT_EQ(test::mapOf(flatten(document, 0)), (test::VoxelMap{{{-1, -2, 0}, 1}}));
+    EXPECT_EQ(test::mapOf(flatten(document, 1)), (test::VoxelMap{{{0, 0, 0}, 2}}));
+    EXPECT_EQ(readVox(*writeVox(document))->document, document);
 }
 
 TEST(VoxRead, ALaterVoxelWinsAndColourZeroIsLeftOut) {
