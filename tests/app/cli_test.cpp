@@ -60,7 +60,7 @@ TEST_F(Cli, HelpNamesEveryCommand) {
     const ProgramResult help = run({"--help"});
     EXPECT_EQ(help.status, 0);
     for (const char* command :
-         {"edit", "inspect", "convert", "export", "render", "compare", "bench"}) {
+         {"edit", "inspect", "convert", "export", "render", "compare", "bench", "trade"}) {
         EXPECT_NE(help.out.find(command), std::string::npos) << command;
         EXPECT_EQ(run({command, "--help"}).status, 0) << command;
     }
