@@ -7,14 +7,17 @@ namespace voxprite {
 namespace {
 
 // Heights of shelves grow in steps, so that sprites of nearly the same height share one.
+constexpr int kStep = 8;
+
 int shelfHeight(int height) {
-    constexpr int kStep = 8;
     return (height + kStep - 1) / kStep * kStep;
 }
 
-// A shelf in use takes what leaves at most a third of its height unused.
+// A shelf in use takes what leaves less than a step, or at most a third of its height, unused;
+// others only where there is no empty one.
 bool worthwhile(int shelfHeight, int height) {
-    return 3 * (shelfHeight - height) <= shelfHeight || shelfHeight <= 8;
+    const int unused = shelfHeight - height;
+    return unused < kStep || 3 * unused <= shelfHeight;
 }
 
 }  // namespace
@@ -33,7 +36,7 @@ std::optional<glm::ivec3> ShelfPacker::take(glm::ivec2 size) {
         int page;
         std::size_t shelf;
     };
-    std::optional<Choice> empty;
+    std::optional<Choice> empty, wasteful;
     for (int page = 0; page < pages(); ++page) {
         const Page& shelves = pages_[static_cast<std::size_t>(page)];
         for (std::size_t i = 0; i < shelves.size(); ++i) {
@@ -43,10 +46,13 @@ std::optional<glm::ivec3> ShelfPacker::take(glm::ivec2 size) {
                 if (!empty) empty = Choice{page, i};
             } else if (worthwhile(shelf.height, size.y)) {
                 return takeFrom(page, i, size);
+            } else if (!wasteful) {
+                wasteful = Choice{page, i};
             }
         }
     }
-    if (!empty) return std::nullopt;
+    if (!empty && !wasteful) return std::nullopt;
+    if (!empty) return takeFrom(wasteful->page, wasteful->shelf, size);
     Page& shelves = pages_[static_cast<std::size_t>(empty->page)];
     Shelf& whole = shelves[empty->shelf];
     const int height = std::min(shelfHeight(size.y), whole.height);

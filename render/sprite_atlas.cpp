@@ -10,7 +10,8 @@ namespace voxprite {
 namespace {
 
 constexpr std::uint64_t kBytesPerPixel = 8;
-// Large sprites that are not shown are kept for as many frames.
+// Sprites that are not shown are kept for as many frames: large ones no longer, others until the
+// room is needed.
 constexpr std::uint64_t kFramesKept = 3;
 
 gl::Texture pageArray(GLenum format, glm::ivec3 size) {
@@ -79,7 +80,7 @@ std::optional<AtlasPlace> SpriteAtlas::add(const SpriteKey& key, glm::ivec2 size
     if (size.x > limits_.pageEdgePx || size.y > limits_.pageEdgePx) return addLarge(key, size);
     std::optional<glm::ivec3> corner = packer_.take(size);
     while (!corner) {
-        if (!addPages() && !evict()) return std::nullopt;
+        if (!evictOld() && !addPages() && !evictHalf()) return std::nullopt;
         corner = packer_.take(size);
     }
     const auto entry = entries_.emplace(key, Entry{*corner, size, nullptr, batch_, frame_}).first;
@@ -117,8 +118,19 @@ bool SpriteAtlas::addPages() {
     return true;
 }
 
+// What was not shown for a few frames.
+bool SpriteAtlas::evictOld() {
+    const std::size_t before = entries_.size();
+    for (auto entry = entries_.begin(); entry != entries_.end();) {
+        const bool old = frame_ - entry->second.lastFrame > kFramesKept;
+        if (old) packer_.giveBack(entry->second.corner, entry->second.size);
+        entry = old ? entries_.erase(entry) : std::next(entry);
+    }
+    return entries_.size() < before;
+}
+
 // Of the sprites that this batch does not show, the half that was shown longest ago.
-bool SpriteAtlas::evict() {
+bool SpriteAtlas::evictHalf() {
     std::vector<Entries::iterator> idle;
     for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
         if (entry->second.lastBatch != batch_) idle.push_back(entry);

@@ -62,7 +62,8 @@ class SpriteAtlas {
     [[nodiscard]] AtlasPlace placeOf(const Entry& entry) const;
     [[nodiscard]] AtlasPlace addLarge(const SpriteKey& key, glm::ivec2 size);
     [[nodiscard]] bool addPages();
-    [[nodiscard]] bool evict();
+    [[nodiscard]] bool evictOld();
+    [[nodiscard]] bool evictHalf();
 
     AtlasLimits limits_;
     ShelfPacker packer_;

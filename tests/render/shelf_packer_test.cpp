@@ -66,5 +66,19 @@ TEST(ShelfPacker, EqualSizesFillAPage) {
     EXPECT_FALSE(packer.take({257, 1}));
 }
 
+TEST(ShelfPacker, SmallRectanglesOfAnyHeightWasteLittle) {
+    ShelfPacker packer({256, 256});
+    packer.addPage();
+    std::mt19937 random(2);
+    int area = 0;
+    while (true) {
+        const glm::ivec2 size(7 + static_cast<int>(random() % 5),
+                              7 + static_cast<int>(random() % 5));
+        if (!packer.take(size)) break;
+        area += size.x * size.y;
+    }
+    EXPECT_GT(area, 256 * 256 / 2);
+}
+
 }  // namespace
 }  // namespace voxprite
