@@ -95,7 +95,7 @@ class CrowdBench {
     }
 
   private:
-    [[nodiscard]] double mostMs() const { return effort_.quick ? 150.0 : 5000.0; }
+    [[nodiscard]] double mostMs() const { return effort_.quick ? 300.0 : 5000.0; }
 
     static Json describe(const Case& what) {
         const bool buffered = what.mode == SpriteMode::spriteBuffer;
