@@ -3,11 +3,13 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <span>
 
+#include "core/sprite/lattice_memo.h"
 #include "render/gl/draw_state.h"
 #include "render/scene_backdrop.h"
+#include "render/sprite_atlas.h"
 #include "render/sprite_blocks.h"
-#include "render/sprite_cache.h"
 #include "render/sprite_caster.h"
 
 namespace voxprite {
@@ -18,17 +20,26 @@ namespace {
 struct SeenSprite {
     const SceneEntity* entity = nullptr;
     SpriteView view;
-    LatticeView visible;  // the part of the lattice that can show
-    LitPalette lit;
-    const SpriteTextures* textures = nullptr;  // mode spriteBuffer
+    LatticeView shown;          // the part of the lattice to cast and to draw
+    glm::ivec2 visibleSize{0};  // of that, the part that is on the screen
+    LitPalettes::Numbered lit;
 };
+
+// The whole sprite where most of it is on the screen: it then stays the same while it moves across
+// the edge, and others show it too. Of a sprite seen close only what is on the screen.
+LatticeView shownLattice(const LatticeView& whole, const LatticeView& visible) {
+    constexpr int kLargestWhole = 4096;  // less than any driver's limit
+    const auto area = [](glm::ivec2 size) { return std::int64_t{size.x} * size.y; };
+    const bool small = whole.size.x <= kLargestWhole && whole.size.y <= kLargestWhole;
+    return small && 2 * area(visible.size) >= area(whole.size) ? whole : visible;
+}
 
 // The screen pixels of the region's rectangle: how many fragments a single pass casts for.
 std::uint64_t fragmentCount(const SeenSprite& sprite, const Camera& camera) {
     const double scale =
         sprite.view.metresPerPx / camera.metresPerScreenPx(sprite.view.planeDepthMetres);
     const double area =
-        scale * scale * static_cast<double>(sprite.visible.size.x) * sprite.visible.size.y;
+        scale * scale * static_cast<double>(sprite.visibleSize.x) * sprite.visibleSize.y;
     const double screen = static_cast<double>(camera.viewportPx.x) * camera.viewportPx.y;
     return static_cast<std::uint64_t>(std::min(area, screen));
 }
@@ -37,42 +48,66 @@ std::uint64_t pixelCount(const LatticeView& lattice) {
     return static_cast<std::uint64_t>(lattice.size.x) * static_cast<std::uint64_t>(lattice.size.y);
 }
 
+// Sprites that one draw call puts onto the screen, in the order of the scene.
+struct Batch {
+    const SpriteSheet* sheet = nullptr;
+    std::vector<SpriteBlock> sprites;
+    bool narrow = true;  // all of them
+
+    void clear() {
+        sheet = nullptr;
+        sprites.clear();
+        narrow = true;
+    }
+};
+
 }  // namespace
 
 struct SceneRenderer::Impl {
     SpriteCaster caster;
     SceneBackdrop backdrop;
-    SpriteCache cache;
-    gl::Program blit;
+    SpriteAtlas atlas;
+    LatticeMemo lattices;
+    LitPalettes litPalettes;
+    LatticePrograms blit{"sprite_quad.vert", "sprite_blit.frag"};
     // Deep: with a depth for each pixel.
     LatticePrograms blitDeep{"sprite_quad.vert", "sprite_blit.frag", {"PER_PIXEL_DEPTH"}};
     LatticePrograms single{"sprite_quad.vert", "sprite_single.frag"};
     LatticePrograms singleDeep{"sprite_quad.vert", "sprite_single.frag", {"PER_PIXEL_DEPTH"}};
-    gl::UniformBuffer spriteBlock;
+    gl::StorageBuffer sprites;
     gl::VertexArray nothing = gl::createVertexArray();
+    Batch batch;  // kept for its memory
 
-    Impl(SpriteCaster spriteCaster, SceneBackdrop sceneBackdrop)
-        : caster(std::move(spriteCaster)), backdrop(std::move(sceneBackdrop)) {}
+    Impl(SpriteCaster spriteCaster, SceneBackdrop sceneBackdrop, const AtlasLimits& limits)
+        : caster(std::move(spriteCaster)), backdrop(std::move(sceneBackdrop)), atlas(limits) {}
 
     [[nodiscard]] Result<std::vector<SeenSprite>> look(const Scene& scene, const Camera& camera,
                                                        const GameProfile& profile,
-                                                       SceneStats& stats) const;
-    [[nodiscard]] Status castMissing(std::vector<SeenSprite>& sprites, SceneStats& stats);
-    [[nodiscard]] Status paint(const SeenSprite& sprite, const Camera& camera,
-                               const GameProfile& profile, SpriteMode mode);
+                                                       SceneStats& stats);
+    [[nodiscard]] Status drawBuffered(Frame& frame, std::span<const SeenSprite> seen,
+                                      const Camera& camera, const GameProfile& profile,
+                                      SceneStats& stats);
+    [[nodiscard]] Status drawSingle(std::span<const SeenSprite> seen, const Camera& camera,
+                                    const GameProfile& profile, SceneStats& stats);
+    [[nodiscard]] Result<std::optional<AtlasPlace>> placeOf(const SeenSprite& sprite,
+                                                            SceneStats& stats);
+    [[nodiscard]] Status drawBatch(Frame& frame, const GameProfile& profile, SceneStats& stats);
+    void drawSprites(std::span<const SpriteBlock> blocks, SceneStats& stats);
 };
 
 Result<std::vector<SeenSprite>> SceneRenderer::Impl::look(const Scene& scene, const Camera& camera,
                                                           const GameProfile& profile,
-                                                          SceneStats& stats) const {
+                                                          SceneStats& stats) {
+    litPalettes.beginFrame();
     std::vector<SeenSprite> seen;
+    seen.reserve(scene.entities.size());
     for (const SceneEntity& entity : scene.entities) {
         if (entity.octree->texture() == 0) {
             ++stats.unseen;
             continue;
         }
         const Result<SpriteViewResult> result =
-            viewSprite(entity.placed, camera, profile, entity.history);
+            viewSprite(entity.placed, camera, profile, entity.history, &lattices);
         if (!result) return tl::unexpected(result.error());
         LatticeView visible;
         if (result->view) visible = visibleLattice(*result->view, camera);
@@ -80,90 +115,124 @@ Result<std::vector<SeenSprite>> SceneRenderer::Impl::look(const Scene& scene, co
             ++stats.unseen;
             continue;
         }
-        SeenSprite sprite{&entity, *result->view, visible,
-                          litPalette(*entity.palette, result->view->light8, profile.outline),
-                          nullptr};
+        const SpriteView& view = *result->view;
         if (stats.drawn++ == 0) {
-            stats.sigmaInForce = sprite.view.sigmaInForce;
-            stats.screenPxPerPx = sprite.view.screenPxPerPx;
+            stats.sigmaInForce = view.sigmaInForce;
+            stats.screenPxPerPx = view.screenPxPerPx;
         }
-        seen.push_back(std::move(sprite));
+        seen.push_back({&entity, view, shownLattice(view.lattice, visible), visible.size,
+                        litPalettes.of(*entity.palette, view.light8, profile.outline)});
     }
     return seen;
 }
 
-Status SceneRenderer::Impl::castMissing(std::vector<SeenSprite>& sprites, SceneStats& stats) {
-    for (SeenSprite& sprite : sprites) {
-        const GpuOctree& octree = *sprite.entity->octree;
-        SpriteKey key;
-        key.modelRevision = octree.revision();
-        key.lattice = sprite.visible;
-        key.lit = sprite.lit;
-        if (const SpriteTextures* held = cache.find(key)) {
-            sprite.textures = held;
-            ++stats.castsReused;
-            continue;
-        }
-        if (const Status fits = SpriteCaster::checkSize(sprite.visible.size); !fits) return fits;
-        SpriteTextures& target = cache.add(key, sprite.visible.size);
-        if (const Status done = caster.cast(octree, sprite.visible, sprite.lit, target); !done) {
-            cache.forget(key);
-            return done;
-        }
-        sprite.textures = &target;
-        stats.rays += pixelCount(sprite.visible);
+// Where the finished sprite lies, cast now if it is not held; nothing when the batch has to be
+// drawn first to make room.
+Result<std::optional<AtlasPlace>> SceneRenderer::Impl::placeOf(const SeenSprite& sprite,
+                                                               SceneStats& stats) {
+    const GpuOctree& octree = *sprite.entity->octree;
+    const SpriteKey key{octree.revision(), 0, sprite.shown, sprite.lit.number};
+    if (const std::optional<AtlasPlace> held = atlas.find(key)) {
+        ++stats.castsReused;
+        return held;
     }
-    return {};
+    if (const Status fits = SpriteCaster::checkSize(sprite.shown.size); !fits) {
+        return tl::unexpected(fits.error());
+    }
+    const std::optional<AtlasPlace> place = atlas.add(key, sprite.shown.size);
+    if (!place) return place;
+    const Status done = caster.cast(octree, sprite.shown, *sprite.lit.lit, place->framebuffer(),
+                                    glm::ivec2(place->corner));
+    if (!done) {
+        atlas.forget(key);
+        return tl::unexpected(done.error());
+    }
+    ++stats.casts;
+    stats.rays += pixelCount(sprite.shown);
+    return place;
 }
 
-Status SceneRenderer::Impl::paint(const SeenSprite& sprite, const Camera& camera,
-                                  const GameProfile& profile, SpriteMode mode) {
-    const GpuOctree& octree = *sprite.entity->octree;
-    const bool deep = profile.depth == DepthRule::perPixel;
-    const SpriteBlock block =
-        screenBlock(sprite.view, sprite.visible, sprite.entity->placed, camera, profile);
-    spriteBlock.set(BlockBinding::sprite, block);
+void SceneRenderer::Impl::drawSprites(std::span<const SpriteBlock> blocks, SceneStats& stats) {
+    sprites.set(BlockBinding::sprite, blocks);
     glBindVertexArray(nothing.id());
-    const bool buffered = mode == SpriteMode::spriteBuffer;
-    if (buffered) {
-        bindTexture(TextureUnit::spriteColours, sprite.textures->colours.id());
-        bindTexture(TextureUnit::spriteIds, sprite.textures->ids.id());
-    }
-    if (buffered && !deep) {
-        gl::useProgram(blit);
-    } else {
-        caster.bindInputs(octree, sprite.visible, sprite.lit);
-        LatticePrograms& programs = buffered ? blitDeep : deep ? singleDeep : single;
-        const bool narrow = castsNarrow(sprite.visible, octree.size());
-        if (const Status ready = programs.use(narrow); !ready) return ready;
-    }
-    const bool box = block.proxy_is_box != 0;
+    const bool box = blocks.front().proxy_is_box != 0;
     gl::apply({.depthTest = gl::DepthTest::nearer,
                .depthWrite = true,
                .cull = box ? gl::Cull::frontFaces : gl::Cull::none});
-    glDrawArrays(GL_TRIANGLES, 0, box ? 36 : 6);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, box ? 36 : 6, static_cast<GLsizei>(blocks.size()));
+    ++stats.drawCalls;
+}
+
+Status SceneRenderer::Impl::drawBatch(Frame& frame, const GameProfile& profile, SceneStats& stats) {
+    if (batch.sprites.empty()) return {};
+    // Only the depth of a pixel of its own looks at the lattice; the wide way is right for all.
+    const bool deep = profile.depth == DepthRule::perPixel;
+    LatticePrograms& programs = deep ? blitDeep : blit;
+    if (const Status ready = programs.use(!deep || batch.narrow); !ready) return ready;
+    frame.bind();
+    bindTexture(TextureUnit::spriteColours, batch.sheet->colours.id());
+    bindTexture(TextureUnit::spriteIds, batch.sheet->ids.id());
+    drawSprites(batch.sprites, stats);
+    batch.clear();
+    return {};
+}
+
+Status SceneRenderer::Impl::drawBuffered(Frame& frame, std::span<const SeenSprite> seen,
+                                         const Camera& camera, const GameProfile& profile,
+                                         SceneStats& stats) {
+    batch.clear();
+    batch.sprites.reserve(seen.size());
+    for (const SeenSprite& sprite : seen) {
+        Result<std::optional<AtlasPlace>> place = placeOf(sprite, stats);
+        if (place && !*place) {
+            if (const Status drawn = drawBatch(frame, profile, stats); !drawn) return drawn;
+            atlas.endBatch();
+            place = placeOf(sprite, stats);
+        }
+        if (!place) return tl::unexpected(place.error());
+        if (!*place) return fail("a page of the sprite atlas holds no sprite at all");
+        const AtlasPlace& at = **place;
+        if (at.sheet != batch.sheet) {
+            if (const Status drawn = drawBatch(frame, profile, stats); !drawn) return drawn;
+            batch.sheet = at.sheet;
+        }
+        batch.narrow = batch.narrow && castsNarrow(sprite.shown, sprite.entity->octree->size());
+        batch.sprites.push_back(
+            screenBlock(sprite.view, sprite.shown, sprite.entity->placed, camera, profile));
+        batch.sprites.back().atlas_place = at.corner;
+    }
+    return drawBatch(frame, profile, stats);
+}
+
+Status SceneRenderer::Impl::drawSingle(std::span<const SeenSprite> seen, const Camera& camera,
+                                       const GameProfile& profile, SceneStats& stats) {
+    LatticePrograms& programs = profile.depth == DepthRule::perPixel ? singleDeep : single;
+    for (const SeenSprite& sprite : seen) {
+        const GpuOctree& octree = *sprite.entity->octree;
+        stats.rays += fragmentCount(sprite, camera);
+        caster.bindInputs(octree, sprite.shown, *sprite.lit.lit);
+        const Status ready = programs.use(castsNarrow(sprite.shown, octree.size()));
+        if (!ready) return ready;
+        const SpriteBlock block =
+            screenBlock(sprite.view, sprite.shown, sprite.entity->placed, camera, profile);
+        drawSprites(std::span(&block, 1), stats);
+    }
     return {};
 }
 
 Result<SceneStats> SceneRenderer::draw(Frame& frame, const Scene& scene, const Camera& camera,
                                        const GameProfile& profile, SpriteMode mode) {
     SceneStats stats;
-    Result<std::vector<SeenSprite>> sprites = impl_->look(scene, camera, profile, stats);
-    if (!sprites) return tl::unexpected(sprites.error());
-    if (mode == SpriteMode::spriteBuffer) {
-        if (const Status cast = impl_->castMissing(*sprites, stats); !cast) {
-            return tl::unexpected(cast.error());
-        }
-    }
+    const Result<std::vector<SeenSprite>> seen = impl_->look(scene, camera, profile, stats);
+    if (!seen) return tl::unexpected(seen.error());
     frame.begin(scene.background);
     impl_->backdrop.draw(scene, camera);
-    for (const SeenSprite& sprite : *sprites) {
-        if (mode == SpriteMode::singlePass) stats.rays += fragmentCount(sprite, camera);
-        if (const Status painted = impl_->paint(sprite, camera, profile, mode); !painted) {
-            return tl::unexpected(painted.error());
-        }
-    }
-    impl_->cache.endFrame();
+    const Status drawn = mode == SpriteMode::spriteBuffer
+                             ? impl_->drawBuffered(frame, *seen, camera, profile, stats)
+                             : impl_->drawSingle(*seen, camera, profile, stats);
+    impl_->atlas.endFrame();
+    if (!drawn) return tl::unexpected(drawn.error());
+    stats.atlasBytes = impl_->atlas.bytes();
     return stats;
 }
 
@@ -172,15 +241,13 @@ Result<SpriteBuffer> SceneRenderer::castBuffer(const GpuOctree& octree, const La
     return impl_->caster.castBuffer(octree, lattice, lit, mode);
 }
 
-Result<SceneRenderer> SceneRenderer::create() {
+Result<SceneRenderer> SceneRenderer::create(const AtlasLimits& limits) {
     Result<SpriteCaster> caster = SpriteCaster::create();
     if (!caster) return tl::unexpected(caster.error());
     Result<SceneBackdrop> backdrop = SceneBackdrop::create();
     if (!backdrop) return tl::unexpected(backdrop.error());
-    Result<gl::Program> blit = gl::compileProgram("sprite_quad.vert", "sprite_blit.frag");
-    if (!blit) return tl::unexpected(blit.error());
-    auto impl = std::make_unique<Impl>(std::move(*caster), std::move(*backdrop));
-    impl->blit = std::move(*blit);
+    auto impl = std::make_unique<Impl>(std::move(*caster), std::move(*backdrop), limits);
+    if (const Status ready = impl->blit.use(true); !ready) return tl::unexpected(ready.error());
     return SceneRenderer(std::move(impl));
 }
 

@@ -1,6 +1,11 @@
 // A scene of sprites: the entities of a small game world, on a ground, with a depth buffer.
 //
 // Two ways to the same pixels (profile-independent, see SpriteMode): they agree in every pixel.
+//
+// With sprite buffers a scene is one instanced draw, however many entities it has: their finished
+// sprites lie in a common atlas, where equal sprites (SpriteKey) share one place and stay until the
+// room is needed. More draws are made only where a frame shows more sprites than the atlas holds,
+// or one that is larger than its pages.
 #pragma once
 
 #include <cstdint>
@@ -45,14 +50,25 @@ struct SceneStats {
     // Cast this frame: virtual pixels (spriteBuffer), or the screen pixels of the sprites'
     // rectangles, each of which casts up to five (singlePass).
     std::uint64_t rays = 0;
-    std::uint64_t castsReused = 0;  // sprites taken from the frame before
+    std::uint64_t casts = 0;        // sprites cast (spriteBuffer)
+    std::uint64_t castsReused = 0;  // sprites taken from the frame before, or from another entity
+    int drawCalls = 0;              // that put sprites onto the screen
+    std::uint64_t atlasBytes = 0;   // held by finished sprites
     double sigmaInForce = 0.0;      // of the first entity drawn
     double screenPxPerPx = 0.0;     // of the first entity drawn
 };
 
+// Where finished sprites are kept: pages of one texture array, added as they are needed. A sprite
+// larger than a page has a texture of its own.
+struct AtlasLimits {
+    int pageEdgePx = 1024;
+    int pages = 32;  // at 8 bytes a pixel: 256 MiB
+};
+
 class SceneRenderer {
   public:
-    [[nodiscard]] static Result<SceneRenderer> create();  // needs a current GL 4.5 context
+    // Needs a current GL 4.5 context.
+    [[nodiscard]] static Result<SceneRenderer> create(const AtlasLimits& limits = {});
     ~SceneRenderer();
     SceneRenderer(SceneRenderer&&) noexcept;
     SceneRenderer& operator=(SceneRenderer&&) noexcept;

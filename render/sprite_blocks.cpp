@@ -154,6 +154,15 @@ SpriteBlock screenBlock(const SpriteView& view, const LatticeView& visible,
         fillCorners(block, quadCorners(view, visible), camera);
     }
 
+    block.lattice_origin = visible.C - (placed.modelSize / 2) * (1 << visible.positionBits);
+    block.position_bits = visible.positionBits;
+    block.lattice_right = visible.U;
+    block.first_x = visible.first.x;
+    block.lattice_up = visible.V;
+    block.first_y = visible.first.y;
+    block.lattice_direction = visible.D;
+    block.svo_model_size = glm::uvec3(placed.modelSize);
+
     const glm::dvec3 size(placed.modelSize);
     const glm::dvec3 cornerFromMiddle = glm::dvec3(placed.modelSize / 2) - 0.5 * size;
     const double stepsPerVoxel = std::ldexp(1.0, view.lattice.positionBits);

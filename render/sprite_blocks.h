@@ -1,4 +1,4 @@
-// What one sprite's shaders read: LatticeBlock and SpriteBlock of shaders/shared.
+// What the shaders of sprites read: LatticeBlock and Sprite of shaders/shared.
 #pragma once
 
 #include <array>
@@ -48,8 +48,17 @@ struct SpriteBlock {
     float sigma = 4.0f;
     alignas(16) glm::vec3 anchor_to_center{0.0f};
     alignas(16) glm::vec3 light_dir{0.0f};
+    alignas(16) glm::ivec3 lattice_origin{0};
+    std::int32_t position_bits = 8;
+    glm::ivec3 lattice_right{0};
+    std::int32_t first_x = 0;
+    glm::ivec3 lattice_up{0};
+    std::int32_t first_y = 0;
+    glm::ivec3 lattice_direction{0};
+    alignas(16) glm::uvec3 svo_model_size{0};
+    alignas(16) glm::ivec3 atlas_place{0};
 };
-static_assert(sizeof(SpriteBlock) == 320);
+static_assert(sizeof(SpriteBlock) == 416);
 
 // The lattice as the shaders cast it: mirrored, from the centre corner. Its first pixel is the
 // fragment at (0, 0).

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <span>
 
 #include "render/gl/draw_state.h"
 #include "render/sprite_blocks.h"
@@ -29,9 +30,9 @@ gl::Texture dataTexture(GLenum format, glm::ivec2 size) {
     return texture;
 }
 
-void beginTarget(const SpriteTextures& target, glm::ivec2 size) {
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
-    glViewport(0, 0, size.x, size.y);
+void beginTarget(std::uint32_t framebuffer, glm::ivec2 corner, glm::ivec2 size) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(corner.x, corner.y, size.x, size.y);
     gl::apply({});
 }
 
@@ -86,7 +87,7 @@ Result<SpriteCaster> SpriteCaster::create() {
     if (const Status compiled = caster.cast_.use(true); !compiled) {
         return tl::unexpected(compiled.error());
     }
-    Result<gl::Program> outline = gl::compileProgram("fullscreen.vert", "sprite_outline.frag");
+    Result<gl::Program> outline = gl::compileProgram("sprite_quad.vert", "sprite_outline.frag");
     if (!outline) return tl::unexpected(outline.error());
     caster.outline_ = std::move(*outline);
     return caster;
@@ -112,31 +113,34 @@ void SpriteCaster::bindInputs(const GpuOctree& octree, const LatticeView& lattic
 }
 
 Status SpriteCaster::cast(const GpuOctree& octree, const LatticeView& lattice,
-                          const LitPalette& lit, SpriteTextures& target) {
+                          const LitPalette& lit, std::uint32_t framebuffer, glm::ivec2 corner) {
     if (!scratch_.holds(lattice.size)) {
         const glm::ivec2 both = glm::max(scratch_.capacity, lattice.size);
         scratch_ = SpriteTextures(area(both) <= kRoomyPixels ? both : lattice.size);
     }
     bindInputs(octree, lattice, lit);
     if (const Status ready = cast_.use(castsNarrow(lattice, octree.size())); !ready) return ready;
-    beginTarget(scratch_, lattice.size);
+    beginTarget(scratch_.framebuffer.id(), glm::ivec2(0), lattice.size);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 
-    spriteBlock_.set(BlockBinding::sprite, bufferBlock(lattice, lit.outline));
+    SpriteBlock block = bufferBlock(lattice, lit.outline);
+    block.atlas_place = glm::ivec3(corner, 0);
+    sprite_.set(BlockBinding::sprite, std::span<const SpriteBlock>(&block, 1));
     bindTexture(TextureUnit::spriteColours, scratch_.colours.id());
     bindTexture(TextureUnit::spriteIds, scratch_.ids.id());
     gl::useProgram(outline_);
-    beginTarget(target, lattice.size);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    beginTarget(framebuffer, corner, lattice.size);
+    glDrawArrays(GL_TRIANGLES, 0, 6);
     return {};
 }
 
 Status SpriteCaster::castSinglePass(const GpuOctree& octree, const LatticeView& lattice,
                                     const LitPalette& lit, SpriteTextures& target) {
     bindInputs(octree, lattice, lit);
-    spriteBlock_.set(BlockBinding::sprite, bufferBlock(lattice, lit.outline));
+    const SpriteBlock block = bufferBlock(lattice, lit.outline);
+    sprite_.set(BlockBinding::sprite, std::span<const SpriteBlock>(&block, 1));
     if (const Status ready = single_.use(castsNarrow(lattice, octree.size())); !ready) return ready;
-    beginTarget(target, lattice.size);
+    beginTarget(target.framebuffer.id(), glm::ivec2(0), lattice.size);
     const glm::vec4 noColour(0.0f);
     const glm::uvec4 noId(kIdEmpty);
     glClearNamedFramebufferfv(target.framebuffer.id(), GL_COLOR, 0, &noColour.x);
@@ -167,7 +171,7 @@ Result<SpriteBuffer> SpriteCaster::castBuffer(const GpuOctree& octree, const Lat
             tile.first = lattice.first + paddedLow;
             tile.size = paddedHigh - paddedLow;
             const Status done = mode == SpriteMode::spriteBuffer
-                                    ? cast(octree, tile, lit, target)
+                                    ? cast(octree, tile, lit, target.framebuffer.id())
                                     : castSinglePass(octree, tile, lit, target);
             if (!done) return tl::unexpected(done.error());
             readTile(target, low - paddedLow, high - low, low, buffer);

@@ -50,9 +50,10 @@ class SpriteCaster {
 
     // A buffer of this size as one texture each: fails beyond the driver's limit.
     [[nodiscard]] static Status checkSize(glm::ivec2 size);
-    // Fills the lower left of `target` (which holds lattice.size) with the finished sprite.
+    // Puts the finished sprite into `framebuffer` (RGBA8 and R32UI), its lower left at `corner`.
     [[nodiscard]] Status cast(const GpuOctree& octree, const LatticeView& lattice,
-                              const LitPalette& lit, SpriteTextures& target);
+                              const LitPalette& lit, std::uint32_t framebuffer,
+                              glm::ivec2 corner = glm::ivec2(0));
 
     // The whole buffer read back, by either mode.
     [[nodiscard]] Result<SpriteBuffer> castBuffer(const GpuOctree& octree,
@@ -70,7 +71,8 @@ class SpriteCaster {
     LatticePrograms single_{"sprite_quad.vert", "sprite_single.frag"};
     gl::Program outline_;
     gl::VertexArray nothing_ = gl::createVertexArray();
-    gl::UniformBuffer octreeBlock_, latticeBlock_, spriteBlock_;
+    gl::UniformBuffer octreeBlock_, latticeBlock_;
+    gl::StorageBuffer sprite_;
     PaletteTexture palette_;
     SpriteTextures scratch_;
 };

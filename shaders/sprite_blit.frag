@@ -1,9 +1,10 @@
-// Sprite buffer, last pass: the finished pixels onto the screen, each where it belongs.
+// Sprite buffer, last pass: the finished pixels from the atlas onto the screen, each where it
+// belongs.
 
 #include "shared/sprite_mapping.glsl"
 
-layout(binding = 2) uniform sampler2D sprite_colours;
-layout(binding = 3) uniform usampler2D sprite_ids;
+layout(binding = 2) uniform sampler2DArray sprite_colours;
+layout(binding = 3) uniform usampler2DArray sprite_ids;
 
 layout(location = 0) out vec4 colour;
 
@@ -13,8 +14,8 @@ layout(location = 0) out vec4 colour;
 // Nothing but a voxel has a depth of its own.
 float voxelDepth(ivec2 cell) {
     if (any(lessThan(cell, ivec2(0))) || any(greaterThanEqual(cell, region_size))) return 0.0;
-    uint id = texelFetch(sprite_ids, cell, 0).r;
-    return id > kIdOutline ? pixelDepth(cell + ivec2(first_x, first_y), id) : 0.0;
+    uint id = texelFetch(sprite_ids, atlas_place + ivec3(cell, 0), 0).r;
+    return id > kIdOutline ? pixelDepth(cell, id) : 0.0;
 }
 
 // An outline pixel stands where its nearest neighbour does.
@@ -27,9 +28,9 @@ float outlineDepth(ivec2 cell) {
 void main() {
     ivec2 cell;
     if (!virtualPixel(gl_FragCoord.xy, cell)) discard;
-    uint id = texelFetch(sprite_ids, cell, 0).r;
+    uint id = texelFetch(sprite_ids, atlas_place + ivec3(cell, 0), 0).r;
     if (id == kIdEmpty) discard;
-    colour = texelFetch(sprite_colours, cell, 0);
+    colour = texelFetch(sprite_colours, atlas_place + ivec3(cell, 0), 0);
 #ifdef PER_PIXEL_DEPTH
     gl_FragDepth = id == kIdOutline ? outlineDepth(cell) : voxelDepth(cell);
 #endif

@@ -1,6 +1,6 @@
 // Sprite buffer, second pass: an empty pixel with an opaque cardinal neighbour becomes outline.
 
-#include "shared/sprite.glsl"
+#include "shared/sprite_varyings.glsl"
 
 layout(binding = 2) uniform sampler2D sprite_colours;
 layout(binding = 3) uniform usampler2D sprite_ids;
@@ -14,7 +14,7 @@ bool opaque(ivec2 cell) {
 }
 
 void main() {
-    ivec2 cell = ivec2(gl_FragCoord.xy);
+    ivec2 cell = ivec2(gl_FragCoord.xy) - atlas_place.xy;
     id = texelFetch(sprite_ids, cell, 0).r;
     colour = texelFetch(sprite_colours, cell, 0);
     if (id != kIdEmpty || outline_enabled == 0) return;

@@ -41,7 +41,7 @@ void main() {
         }
 #ifdef PER_PIXEL_DEPTH
         // An outline pixel stands where its nearest neighbour does.
-        gl_FragDepth = max(gl_FragDepth, pixelDepth(pixel, voxelId(hit)));
+        gl_FragDepth = max(gl_FragDepth, pixelDepth(neighbour, voxelId(hit)));
         if (id == kIdOutline) continue;
 #endif
         break;

@@ -33,7 +33,8 @@ class Hash {
 std::size_t hashOf(const SpriteKey& key) {
     Hash hash;
     hash.add(key.modelRevision);
-    hash.add(glm::ivec2(key.frame, key.lit.outline.enabled ? 1 : 0));
+    hash.add(static_cast<std::uint32_t>(key.frame));
+    hash.add(key.litPalette);
     hash.add(glm::ivec2(key.lattice.positionBits, key.lattice.directionBits));
     hash.add(key.lattice.C);
     hash.add(key.lattice.D);
@@ -41,10 +42,42 @@ std::size_t hashOf(const SpriteKey& key) {
     hash.add(key.lattice.V);
     hash.add(key.lattice.first);
     hash.add(key.lattice.size);
-    for (const Rgba8 colour : key.lit.colours) hash.add(colour);
-    hash.add(glm::ivec3(key.lit.light8[0], key.lit.light8[1], key.lit.light8[2]));
-    hash.add(key.lit.outline.colour);
     return hash.value();
+}
+
+std::size_t hashOf(const LitPalette& lit) {
+    Hash hash;
+    for (const Rgba8 colour : lit.colours) hash.add(colour);
+    hash.add(glm::ivec3(lit.light8[0], lit.light8[1], lit.light8[2]));
+    hash.add(lit.outline.colour);
+    hash.add(lit.outline.enabled ? 1 : 0);
+    return hash.value();
+}
+
+std::size_t LitPalettes::SeenHash::operator()(const Seen& seen) const {
+    Hash hash;
+    hash.add(reinterpret_cast<std::uintptr_t>(seen.palette));
+    hash.add(glm::ivec3(seen.light8[0], seen.light8[1], seen.light8[2]));
+    return hash.value();
+}
+
+void LitPalettes::beginFrame() {
+    // What is forgotten is given a new number should it come again.
+    constexpr std::size_t kMostKept = 4096;
+    if (numbers_.size() > kMostKept) numbers_.clear();
+    thisFrame_.clear();
+}
+
+LitPalettes::Numbered LitPalettes::of(const Palette& palette, std::array<std::uint8_t, 3> light8,
+                                      const Outline& outline) {
+    const auto [seen, isNew] = thisFrame_.try_emplace({&palette, light8});
+    if (isNew) {
+        const auto [entry, first] =
+            numbers_.try_emplace(litPalette(palette, light8, outline), last_ + 1);
+        if (first) ++last_;
+        seen->second = {entry->second, &entry->first};
+    }
+    return seen->second;
 }
 
 }  // namespace voxprite

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "core/sprite/lattice_memo.h"
 #include "core/sprite/sprite_depth.h"
 #include "core/sprite/view_axes.h"
 
@@ -86,7 +87,7 @@ glm::dvec2 pixelFromCentreOf(const OrthoView& ortho, glm::ivec3 modelSize) {
 
 Result<SpriteView> makeView(const PlacedEntity& entity, const Camera& camera,
                             const GameProfile& profile, glm::dvec3 centreFromEye,
-                            double sigmaInForce, ViewHistory* history) {
+                            double sigmaInForce, ViewHistory* history, LatticeMemo* lattices) {
     SpriteView view;
     view.sigmaInForce = sigmaInForce;
     view.metresPerPx = entity.voxelSizeMetres / sigmaInForce;
@@ -107,7 +108,8 @@ Result<SpriteView> makeView(const PlacedEntity& entity, const Camera& camera,
     if (profile.viewStepDegrees >= kLeastViewStep)
         seen = snapAxes(seen, profile.viewStepDegrees, history);
     view.ortho = {seen[0], seen[1], seen[2], sigmaInForce * entity.scale};
-    auto lattice = quantiseView(view.ortho, entity.modelSize);
+    auto lattice = lattices != nullptr ? lattices->quantise(view.ortho, entity.modelSize)
+                                       : quantiseView(view.ortho, entity.modelSize);
     if (!lattice) return Failure(lattice.error());
     view.lattice = *lattice;
     view.light8 = faceLight(view.lattice.D, voxelFromWorldAxes * profile.light.towardLight,
@@ -127,7 +129,8 @@ Result<SpriteView> makeView(const PlacedEntity& entity, const Camera& camera,
 }  // namespace
 
 Result<SpriteViewResult> viewSprite(const PlacedEntity& entity, const Camera& camera,
-                                    const GameProfile& profile, ViewHistory* history) {
+                                    const GameProfile& profile, ViewHistory* history,
+                                    LatticeMemo* lattices) {
     if (auto ok = validate(camera); !ok) return Failure(ok.error());
     if (auto ok = validate(profile); !ok) return Failure(ok.error());
     if (auto ok = validate(entity); !ok) return Failure(ok.error());
@@ -161,7 +164,7 @@ Result<SpriteViewResult> viewSprite(const PlacedEntity& entity, const Camera& ca
     if (insideProxy(entity, centreFromEye, sigma)) return unseen(Unseen::cameraInside);
     if (behind) return unseen(Unseen::behindCamera);
 
-    auto view = makeView(entity, camera, profile, centreFromEye, sigma, history);
+    auto view = makeView(entity, camera, profile, centreFromEye, sigma, history, lattices);
     if (!view) return Failure(view.error());
     return SpriteViewResult{*view, std::nullopt};
 }

@@ -58,16 +58,20 @@ struct SpriteView {
     glm::dvec3 boxHalfMetres{0.0};
 };
 
+class LatticeMemo;
+
 enum class Unseen : std::uint8_t { emptyModel, cameraInside, behindCamera };
 
-// Not seen (and why), or the view. Fails on non-finite input and over-large buffers.
+// Not seen (and why), or the view. Fails on non-finite input and over-large buffers. `lattices` may
+// remember what views were quantised to (core/sprite/lattice_memo.h); it changes no result.
 struct SpriteViewResult {
     std::optional<SpriteView> view;
     std::optional<Unseen> unseen;
 };
 [[nodiscard]] Result<SpriteViewResult> viewSprite(const PlacedEntity& entity, const Camera& camera,
                                                   const GameProfile& profile,
-                                                  ViewHistory* history = nullptr);
+                                                  ViewHistory* history = nullptr,
+                                                  LatticeMemo* lattices = nullptr);
 
 // The way from the screen to virtual pixels: for p = M * (screenPx.x, screenPx.y, 1) the screen
 // position lies in pixel floor(p.xy / p.z), provided that p.z > 0 (else the eye ray runs away from

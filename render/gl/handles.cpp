@@ -32,6 +32,9 @@ Object created(Create create) {
 Texture createTexture2d() {
     return created<Texture>([](auto* id) { glCreateTextures(GL_TEXTURE_2D, 1, id); });
 }
+Texture createTexture2dArray() {
+    return created<Texture>([](auto* id) { glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, id); });
+}
 Buffer createBuffer() {
     return created<Buffer>([](auto* id) { glCreateBuffers(1, id); });
 }

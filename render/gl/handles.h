@@ -45,6 +45,7 @@ using VertexArray = Handle<deleteVertexArray>;
 using Program = Handle<deleteProgram>;
 
 [[nodiscard]] Texture createTexture2d();
+[[nodiscard]] Texture createTexture2dArray();
 [[nodiscard]] Buffer createBuffer();
 [[nodiscard]] Framebuffer createFramebuffer();
 [[nodiscard]] VertexArray createVertexArray();

@@ -38,6 +38,14 @@ class Shader {
     GLuint id_;
 };
 
+void uploadAndBind(Buffer& buffer, GLenum target, GLuint binding, const void* data,
+                   std::size_t bytes) {
+    if (!buffer) buffer = createBuffer();
+    // Orphans the old contents, so that a draw still in flight keeps what it was given.
+    glNamedBufferData(buffer.id(), static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
+    glBindBufferBase(target, binding, buffer.id());
+}
+
 }  // namespace
 
 Result<Program> compileProgram(const std::string& vertex, const std::string& fragment,
@@ -74,10 +82,11 @@ void useProgram(const Program& program) {
 }
 
 void UniformBuffer::upload(std::uint32_t binding, const void* data, std::size_t bytes) {
-    if (!buffer_) buffer_ = createBuffer();
-    // Orphans the old contents, so that a draw still in flight keeps what it was given.
-    glNamedBufferData(buffer_.id(), static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
-    glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer_.id());
+    uploadAndBind(buffer_, GL_UNIFORM_BUFFER, binding, data, bytes);
+}
+
+void StorageBuffer::upload(std::uint32_t binding, const void* data, std::size_t bytes) {
+    uploadAndBind(buffer_, GL_SHADER_STORAGE_BUFFER, binding, data, bytes);
 }
 
 }  // namespace voxprite::gl

@@ -4,6 +4,7 @@
 // (layout(binding)). So nothing is looked up by name.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,20 @@ class UniformBuffer {
     void set(Binding binding, const Block& block) {
         static_assert(sizeof(Block) % 16 == 0, "std140 blocks are multiples of 16 bytes");
         upload(static_cast<std::uint32_t>(binding), &block, sizeof(Block));
+    }
+
+  private:
+    void upload(std::uint32_t binding, const void* data, std::size_t bytes);
+    Buffer buffer_;
+};
+
+// An array of structs on the GPU that mirrors `Item` (std430, sizes checked beside each struct).
+class StorageBuffer {
+  public:
+    template <class Binding, class Item>
+    void set(Binding binding, std::span<const Item> items) {
+        static_assert(sizeof(Item) % 16 == 0, "structs that hold vec4 are multiples of 16 bytes");
+        upload(static_cast<std::uint32_t>(binding), items.data(), items.size_bytes());
     }
 
   private:

@@ -6,6 +6,7 @@
 // Positions are taken from the model's centre corner, floor(size / 2), to keep products small:
 // 31 bits for common models; LATTICE_WIDE computes in doubles, which hold integers below 2^53.
 
+#include "shared/lattice_point.glsl"
 #include "shared/octree.glsl"
 
 layout(std140, binding = 1) uniform LatticeBlock {
@@ -22,14 +23,6 @@ layout(std140, binding = 1) uniform LatticeBlock {
     ivec3 box_high;
     ivec3 box_centre;  // the centre corner, likewise
 };
-
-#ifdef LATTICE_WIDE
-#define Number double
-#define Number3 dvec3
-#else
-#define Number int
-#define Number3 ivec3
-#endif
 
 struct LatticeHit {
     uint material;  // 0: nothing was hit
@@ -59,15 +52,8 @@ ivec3 cellOf(Number3 position) {
 #endif
 }
 
-// C + ((i * U + j * V) >> 12), rounding down.
 Number3 rayOrigin(ivec2 pixel) {
-    Number3 along = Number(pixel.x) * Number3(lattice_right) + Number(pixel.y) * Number3(lattice_up);
-#ifdef LATTICE_WIDE
-    along = floor(along / 4096.0LF);
-#else
-    along = along >> 12;
-#endif
-    return Number3(mirror_sign) * (Number3(lattice_origin) + along);
+    return Number3(mirror_sign) * latticePoint(lattice_origin, lattice_right, lattice_up, pixel);
 }
 
 // The time at which an axis is crossed is numerator / lattice_direction of that axis.

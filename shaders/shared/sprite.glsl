@@ -1,9 +1,9 @@
-// One sprite of one frame: where it stands on the screen and what it writes.
+// The sprites of one draw: where each stands on the screen and what it writes.
 // sigma, voxel_size, anchor_to_center, ray_dir_local, camera_up_local and light_dir are what the
-// integers of LatticeBlock and the palette were made from; they are here for whoever looks at a
+// integers of the lattice and the palette were made from; they are here for whoever looks at a
 // frame in a debugger.
 
-layout(std140, binding = 2) uniform SpriteBlock {
+struct Sprite {
     vec4 corners[8];            // clip space; a quad's four, or a box's eight in octant order
     vec4 pixel_from_screen[3];  // of (x, y, 1), x and y from screen_reference; homogeneous
     vec2 screen_reference;
@@ -24,7 +24,18 @@ layout(std140, binding = 2) uniform SpriteBlock {
     float sigma;
     vec3 anchor_to_center;
     vec3 light_dir;
+    // The lattice as in LatticeBlock, but D with its signs.
+    ivec3 lattice_origin;
+    int position_bits;
+    ivec3 lattice_right;
+    int first_x;
+    ivec3 lattice_up;
+    int first_y;
+    ivec3 lattice_direction;
+    uvec3 svo_model_size;
+    ivec3 atlas_place;  // texel and page of pixel (0, 0) of the region
 };
 
-const uint kIdEmpty = 0u;
-const uint kIdOutline = 1u;
+layout(std430, binding = 2) readonly buffer Sprites {
+    Sprite sprites[];
+};

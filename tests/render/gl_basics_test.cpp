@@ -51,7 +51,7 @@ TEST_F(GlBasics, EveryShaderCompilesInEveryVariant) {
         {"fullscreen.vert", "sprite_cast.frag"},
         {"sprite_quad.vert", "sprite_single.frag"},
         {"sprite_quad.vert", "sprite_blit.frag"},
-        {"fullscreen.vert", "sprite_outline.frag"},
+        {"sprite_quad.vert", "sprite_outline.frag"},
         {"fullscreen.vert", "scene_backdrop.frag"},
         {"fullscreen.vert", "voxel_backdrop.frag"},
         {"voxel_view.vert", "voxel_view.frag"},

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/cli/bench/bench.h"
+#include "app/cli/bench/crowds.h"
 #include "render/frame.h"
 #include "render/gpu_octree.h"
 #include "render/scene_renderer.h"
@@ -121,6 +122,9 @@ Result<Json> benchFrame(const std::vector<BenchModel>& models, const Effort& eff
     FrameBench bench(*renderer, *voxelView, effort, figures);
     for (const BenchModel& model : models) {
         if (Status status = bench.run(model); !status) return Failure(status.error());
+    }
+    if (Status status = benchCrowds(*renderer, effort, figures); !status) {
+        return Failure(status.error());
     }
     return figures;
 }

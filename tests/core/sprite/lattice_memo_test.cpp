@@ -1,0 +1,82 @@
+#include "core/sprite/lattice_memo.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <map>
+
+#include "core/sprite/sprite_key.h"
+#include "tests/core/sprite/subject.h"
+
+namespace voxprite {
+namespace {
+
+using test::figure;
+using test::mustView;
+using test::orbit;
+
+TEST(LatticeMemo, GivesWhatQuantisingGives) {
+    LatticeMemo memo;
+    for (int round = 0; round < 2; ++round) {
+        for (const double yaw : {0.0, 12.3, -90.0, 180.0}) {
+            for (const double sigma : {1.0, 4.0, 7.5}) {
+                for (const glm::ivec3 size : {glm::ivec3(16, 8, 32), glm::ivec3(8, 16, 32)}) {
+                    OrthoView view =
+                        mustView(figure().centredAt({0, 0, 0}, {}), orbit(yaw, 20, 12), {}).ortho;
+                    view.sigmaInForce = sigma;
+                    const auto remembered = memo.quantise(view, size);
+                    const auto fresh = quantiseView(view, size);
+                    ASSERT_TRUE(remembered && fresh);
+                    EXPECT_EQ(*remembered, *fresh);
+                }
+            }
+        }
+    }
+}
+
+TEST(LatticeMemo, FailsWhereQuantisingFails) {
+    LatticeMemo memo;
+    OrthoView view;
+    view.sigmaInForce = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(memo.quantise(view, {4, 4, 4}));
+    EXPECT_FALSE(memo.quantise(view, {4, 4, 4}));
+}
+
+TEST(LitPalettes, EqualPalettesHaveEqualNumbers) {
+    LitPalettes palettes;
+    palettes.beginFrame();
+    Palette one = Palette::standard();
+    const Palette two = one;
+    const auto a = palettes.of(one, {255, 200, 100}, {});
+    EXPECT_EQ(palettes.of(two, {255, 200, 100}, {}).number, a.number);
+    EXPECT_EQ(*a.lit, litPalette(one, {255, 200, 100}, {}));
+    const auto darker = palettes.of(one, {255, 200, 99}, {});
+    EXPECT_NE(darker.number, a.number);
+    EXPECT_EQ(darker.lit->light8[2], 99);
+
+    palettes.beginFrame();
+    Outline outline;
+    outline.enabled = false;
+    EXPECT_NE(palettes.of(two, {255, 200, 100}, outline).number, a.number);
+    palettes.beginFrame();
+    EXPECT_EQ(palettes.of(two, {255, 200, 100}, {}).number, a.number);
+    // The same place in memory, another palette.
+    one.colours[17].x ^= 1;
+    EXPECT_NE(palettes.of(one, {255, 200, 100}, {}).number, a.number);
+}
+
+// However many there are, a number stands for one palette.
+TEST(LitPalettes, NumbersAreNeverGivenTwice) {
+    LitPalettes palettes;
+    std::map<std::uint64_t, LitPalette> known;
+    Palette palette = Palette::standard();
+    for (int frame = 0; frame < 6000; ++frame) {
+        palettes.beginFrame();
+        palette.colours[1] = {frame & 255, frame >> 8, 7, 255};
+        const auto numbered = palettes.of(palette, {255, 200, 100}, {});
+        EXPECT_TRUE(known.emplace(numbered.number, *numbered.lit).second);
+    }
+}
+
+}  // namespace
+}  // namespace voxprite
