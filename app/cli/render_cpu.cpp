@@ -1,5 +1,6 @@
 // Pictures on the CPU: the integer caster for sprites, and the same walk for perspective rays.
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "app/cli/render_shot.h"
@@ -29,6 +30,7 @@ Image perspectiveImage(const Shot& shot) {
     const glm::dvec3 towardLight = voxelFromWorldAxes * shot.profile.light.towardLight;
     const OctreeView octree = shot.octree.view();
     Image image(shot.camera.viewportPx.x, shot.camera.viewportPx.y, shot.background);
+    std::vector<float> depths(image.pixels.size(), 0.0f);
     parallelFor(image.height, 0, [&](int firstRow, int lastRow) {
         LitPalette lit = litPalette(shot.palette, {255, 255, 255}, shot.profile.outline);
         for (int y = firstRow; y < lastRow; ++y) {
@@ -39,14 +41,19 @@ Image perspectiveImage(const Shot& shot) {
                                            (ray.origin - shot.placed.anchorMetres) /
                                            shot.placed.metresPerVoxel() +
                                        shot.placed.anchor;
-                const LatticeHit hit = castPerspective(octree, eye, direction).hit;
+                const auto [hit, t] = castPerspective(octree, eye, direction);
                 if (hit.material == 0) continue;
+                const glm::dvec3 fromEye = ray.origin - shot.camera.eyeMetres +
+                                           ray.direction * (t * shot.placed.metresPerVoxel());
+                depths[static_cast<std::size_t>(&image.at(x, y) - image.pixels.data())] =
+                    shot.camera.reversedDepth(glm::dot(fromEye, shot.camera.forward));
                 lit.light8 = faceLight(glm::ivec3(glm::sign(direction)), towardLight,
                                        shot.profile.light.ambient);
                 image.at(x, y) = lit.shade(hit.material, hit.faceAxis);
             }
         }
     });
+    if (shot.ground) drawGround(*shot.ground, shot.camera, depths, image);
     return image;
 }
 

@@ -28,6 +28,7 @@ Result<Image> drawVoxels(const Shot& shot, const GpuOctree& octree) {
     for (std::size_t k = 0; k < depths.size(); ++k) {
         if (depths[k] == 0.0f) image.pixels[k] = shot.background;
     }
+    if (shot.ground) drawGround(*shot.ground, shot.camera, depths, image);
     return image;
 }
 

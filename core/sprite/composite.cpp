@@ -67,16 +67,14 @@ class ScreenSprite {
     glm::ivec2 last_{1 << 30};
 };
 
-void drawGround(const Ground& ground, const Camera& camera, glm::dvec2 screenPx, Rgba8& colour,
-                float& depth) {
+// Shows the ground where it is nearer than `depth`.
+void drawGroundAt(const Ground& ground, const Camera& camera, glm::dvec2 screenPx, float depth,
+                  Rgba8& colour) {
     const Camera::Ray ray = camera.rayFromEye(screenPx);
     const double metres =
         (ground.heightMetres - camera.eyeMetres.y - ray.origin.y) / ray.direction.y;
     if (!(metres >= camera.nearMetres)) return;
-    const float own = camera.reversedDepth(metres);
-    if (!(own > depth)) return;
-    depth = own;
-    colour = ground.colour;
+    if (camera.reversedDepth(metres) > depth) colour = ground.colour;
 }
 
 }  // namespace
@@ -95,10 +93,22 @@ Image composite(std::span<const CompositeSprite> sprites, const Camera& camera, 
                 float depth = 0.0f;
                 for (const ScreenSprite& sprite : placed)
                     if (sprite.reaches(x, y)) sprite.draw(camera, screenPx, colour, depth);
-                if (ground) drawGround(*ground, camera, screenPx, colour, depth);
+                if (ground) drawGroundAt(*ground, camera, screenPx, depth, colour);
             }
     });
     return image;
+}
+
+void drawGround(const Ground& ground, const Camera& camera, std::span<const float> reversedDepths,
+                Image& image) {
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                            static_cast<std::size_t>(x);
+            drawGroundAt(ground, camera, glm::dvec2(x, y) + 0.5, reversedDepths[at],
+                         image.pixels[at]);
+        }
+    }
 }
 
 }  // namespace voxprite

@@ -26,4 +26,9 @@ struct Ground {
 [[nodiscard]] Image composite(std::span<const CompositeSprite> sprites, const Camera& camera,
                               Rgba8 background, std::optional<Ground> ground = std::nullopt);
 
+// Draws the ground over a picture of `camera` wherever it is nearer than what the picture shows:
+// `reversedDepths` holds a depth for each pixel (Camera::reversedDepth; 0 where there is nothing).
+void drawGround(const Ground& ground, const Camera& camera, std::span<const float> reversedDepths,
+                Image& image);
+
 }  // namespace voxprite

@@ -5,6 +5,7 @@
 #include "core/io/formats.h"
 #include "core/io/png.h"
 #include "core/io/profile_json.h"
+#include "core/sprite/composite.h"
 #include "tests/app/cli_program.h"
 #include "tests/support/voxels.h"
 
@@ -139,6 +140,18 @@ TEST_F(CliRender, VoxelsAgreeBetweenBackends) {
     // Perspective rays are in floating point on the GPU: a few pixels at edges may differ.
     EXPECT_LT(difference["mismatch_rate"].get<double>(), 0.002);
     EXPECT_GT(difference["iou"].get<double>(), 0.99);
+}
+
+TEST_F(CliRender, VoxelsStandOnTheGround) {
+    for (const char* backend : {"cpu", "gl"}) {
+        render({"--mode", "voxels", "--ground", "--pitch", "20", "--size", "96x96", "--backend",
+                backend, "-o", file(std::string(backend) + ".png")});
+        const Image picture = png(std::string(backend) + ".png");
+        EXPECT_EQ(picture.at(2, 93), Ground{}.colour) << backend;
+        EXPECT_NE(picture.at(48, 48), Ground{}.colour) << backend;
+    }
+    const Json difference = run({"compare", file("cpu.png"), file("gl.png"), "--json"}).json();
+    EXPECT_LT(difference["mismatch_rate"].get<double>(), 0.002);
 }
 
 TEST_F(CliRender, LatticeFilesCastExactlyTheGivenView) {
