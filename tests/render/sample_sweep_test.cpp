@@ -2,8 +2,8 @@
 // ways on the GPU give the same sprite buffer.
 //
 // Run as part of the suite, each view meets the next of the six sigmas. With
-// VOXPRITE_SWEEP=full in the environment every view meets every sigma (`./dev sweep`: about a quarter of an hour
-// on two cores).
+// VOXPRITE_SWEEP=full in the environment every view meets every sigma (`./dev sweep`: about a
+// quarter of an hour on two cores).
 #include <cstdlib>
 #include <filesystem>
 #include <string_view>
