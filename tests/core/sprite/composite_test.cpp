@@ -16,6 +16,7 @@ namespace {
 using test::figure;
 using test::mustView;
 using test::orbit;
+using test::paint;
 using test::plainPalette;
 using test::solidBox;
 using test::Subject;
@@ -27,13 +28,6 @@ GameProfile plainProfile() {
     GameProfile profile;
     profile.minification = false;
     return profile;
-}
-
-LitPalette paint(Rgba8 colour) {
-    LitPalette lit;
-    lit.colours.fill(colour);
-    lit.outline.colour = colour;
-    return lit;
 }
 
 Image compose(const SpriteView& view, const SpriteBuffer& buffer, const Camera& camera,

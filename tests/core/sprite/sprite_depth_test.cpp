@@ -18,6 +18,7 @@ namespace {
 using test::figure;
 using test::mustView;
 using test::orbit;
+using test::paint;
 using test::plainPalette;
 using test::solidBox;
 using test::Subject;
@@ -30,13 +31,6 @@ GameProfile profileWith(DepthRule rule) {
     profile.depth = rule;
     profile.minification = false;
     return profile;
-}
-
-LitPalette paint(Rgba8 colour) {
-    LitPalette lit;
-    lit.colours.fill(colour);
-    lit.outline.colour = colour;
-    return lit;
 }
 
 struct Drawn {

@@ -52,4 +52,12 @@ glm::ivec3 voxelOf(std::uint32_t id, glm::ivec3 size);
 // Where virtual pixel coordinates (not floored) lie under a screen position.
 glm::dvec2 pixelAt(const SpriteView& view, const Camera& camera, glm::dvec2 screenPx);
 
+// Every material and the outline in one colour: a sprite that is a silhouette.
+[[nodiscard]] inline LitPalette paint(Rgba8 colour) {
+    LitPalette lit;
+    lit.colours.fill(colour);
+    lit.outline.colour = colour;
+    return lit;
+}
+
 }  // namespace voxprite::test
