@@ -177,7 +177,7 @@ void App::renderViews() {
         framed_ = true;
     }
     const OctreeChanges changes = session_.takeOctreeChanges();
-    const OctreeView view = session_.octree().view(session_.bounds());
+    const OctreeView view = session_.shownOctree().view(session_.shownBounds());
     if (changes.any() || octree_.size() != view.size) octree_.update(view, changes);
 
     bool drew = voxels_.render(session_, octree_, settings_);

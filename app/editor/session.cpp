@@ -4,6 +4,20 @@
 #include <utility>
 
 namespace voxprite::editor {
+namespace {
+
+// Of ascending changes; null where there is none.
+const VoxelChange* changeAt(const std::vector<VoxelChange>& changes, glm::ivec3 position) {
+    const auto comesBefore = [](glm::ivec3 a, glm::ivec3 b) {
+        if (a.x != b.x) return a.x < b.x;
+        return a.y != b.y ? a.y < b.y : a.z < b.z;
+    };
+    const auto found =
+        std::ranges::lower_bound(changes, position, comesBefore, &VoxelChange::position);
+    return found != changes.end() && found->position == position ? &*found : nullptr;
+}
+
+}  // namespace
 
 Session::Session() {
     // An empty model always fits.
@@ -48,8 +62,10 @@ Status Session::followVoxels(const Changed::Voxels& changed) {
             edits.push_back({voxel, sampler_->at(voxel)});
         }
     }
+    if (Status applied = octree_.apply(edits); !applied) return applied;
     growOrShrinkBounds(changed);
-    return octree_.apply(edits);
+    shown_.follow(octree_, edits);
+    return {};
 }
 
 void Session::growOrShrinkBounds(const Changed::Voxels& changed) {
@@ -68,7 +84,56 @@ void Session::growOrShrinkBounds(const Changed::Voxels& changed) {
             }
         }
     }
-    bounds_ = mayShrink ? entityBounds(workspace_.document) : grown;
+    if (!mayShrink) {
+        bounds_ = grown;
+    } else {
+        // With one frame the octree knows, and much sooner.
+        bounds_ = frames_ == 1 ? octree_.solidBounds() : entityBounds(workspace_.document);
+    }
+}
+
+std::uint8_t Session::valueWith(const std::vector<VoxelPatch>& patches,
+                                glm::ivec3 entityVoxel) const {
+    const auto& all = instances();
+    for (auto instance = all.rbegin(); instance != all.rend(); ++instance) {
+        const glm::ivec3 position = instance->entityFromModel.inverse().applyToVoxel(entityVoxel);
+        const auto model = static_cast<std::size_t>(instance->model);
+        std::uint8_t value = document().models[model].voxels.get(position);
+        for (const VoxelPatch& patch : patches) {
+            if (patch.model != instance->model) continue;
+            if (const VoxelChange* change = changeAt(patch.changes, position))
+                value = change->after;
+        }
+        if (value != 0) return value;
+    }
+    return 0;
+}
+
+Status Session::preview(const std::vector<VoxelPatch>& patches) {
+    std::vector<LiveOctree::Edit> edits;
+    for (const Instance& instance : instances()) {
+        for (const VoxelPatch& patch : patches) {
+            if (patch.model != instance.model) continue;
+            edits.reserve(edits.size() + patch.changes.size());
+            for (const VoxelChange& change : patch.changes) {
+                const glm::ivec3 voxel = instance.entityFromModel.applyToVoxel(change.position);
+                // Where no other object may lie over it or under it, the patch itself says.
+                const bool alone = instances().size() == 1 && patches.size() == 1;
+                edits.push_back({voxel, alone ? change.after : valueWith(patches, voxel)});
+            }
+        }
+    }
+    return shown_.preview(octree_, std::move(edits));
+}
+
+void Session::clearPreview() {
+    if (previews()) shown_.follow(octree_, {});
+}
+
+OctreeChanges Session::takeOctreeChanges() {
+    // Nobody keeps a copy of the document's own octree.
+    static_cast<void>(octree_.takeChanges());
+    return shown_.takeChanges();
 }
 
 Status Session::rebuild() {
@@ -76,6 +141,7 @@ Status Session::rebuild() {
     frames_ = frameCount(document);
     frame_ = std::clamp(frame_, 0, frames_ - 1);
     if (Status rebuilt = octree_.rebuild(flatten(document, frame_)); !rebuilt) return rebuilt;
+    shown_.reset(octree_);
     sampler_.emplace(document, frame_);
     bounds_ = entityBounds(document);
 
@@ -102,6 +168,7 @@ Status Session::setFrame(int frame) {
         frame_ = before;
         return rebuilt;
     }
+    shown_.reset(octree_);
     sampler_.emplace(workspace_.document, frame_);
     return {};
 }
@@ -145,14 +212,17 @@ int Session::nodeAt(glm::ivec3 entityVoxel) const {
 }
 
 PlacedEntity Session::placedInGame() const {
-    PlacedEntity placed = placeEntity(document().entity, bounds_, profile());
+    const IBox shown = shownBounds();
+    PlacedEntity placed = placeEntity(document().entity, shown, profile());
+    placed.anchor = anchorVoxels(document().entity, bounds_) - glm::dvec3(shown.min);
     placed.anchorMetres.y += groundClearanceMetres(profile());
     return placed;
 }
 
 PlacedEntity Session::placedForEditing() const {
-    PlacedEntity placed = placeEntity(Entity{}, bounds_, GameProfile{});
-    placed.anchor = -glm::dvec3(bounds_.min);
+    const IBox shown = shownBounds();
+    PlacedEntity placed = placeEntity(Entity{}, shown, GameProfile{});
+    placed.anchor = -glm::dvec3(shown.min);
     placed.anchorMetres = glm::dvec3(0.0);
     placed.voxelSizeMetres = 1.0;
     return placed;

@@ -2,7 +2,10 @@
 // bounds, the file it came from. Knows neither window nor GPU.
 //
 // All changes go one way: perform(action) -> history -> document -> live octree, of which only the
-// voxels that changed are touched. Whoever shows the octree asks for takeOctreeChanges().
+// voxels that changed are touched.
+//
+// There are two octrees. octree() is the document's: tools aim at it, so that an edit that is only
+// coming never moves what they aim at. shownOctree() has the coming edit in it; views draw it.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/shown_octree.h"
 #include "core/edit/history.h"
 #include "core/model/entity_voxels.h"
 #include "core/sprite/sprite_view.h"
@@ -30,9 +34,21 @@ class Session {
     [[nodiscard]] const Workspace& workspace() const { return workspace_; }
     [[nodiscard]] const History& history() const { return history_; }
     [[nodiscard]] const LiveOctree& octree() const { return octree_; }
-    [[nodiscard]] OctreeChanges takeOctreeChanges() { return octree_.takeChanges(); }
     // Of the entity, all frames together; empty when there is no voxel.
     [[nodiscard]] const IBox& bounds() const { return bounds_; }
+
+    // Shows what `patches` would make of the document, in place of the last preview. The preview
+    // ends with clearPreview() and with every change of the document or of the frame. Patches as
+    // patchVoxels() gives them: ascending positions, none twice. Costs the voxels that differ.
+    // Fails, showing no preview, when the model would outgrow what an octree can hold.
+    [[nodiscard]] Status preview(const std::vector<VoxelPatch>& patches);
+    void clearPreview();
+    [[nodiscard]] bool previews() const { return shown_.previews(); }
+    [[nodiscard]] const LiveOctree& shownOctree() const { return shown_.octree(); }
+    // bounds(), and what the preview fills.
+    [[nodiscard]] IBox shownBounds() const { return bounds_.united(shown_.filled()); }
+    // Of the shown octree since the last call; the caller uploads them.
+    [[nodiscard]] OctreeChanges takeOctreeChanges();
     // Rises with every change that a view could show; modelRevision only with those of voxels,
     // palette and scene.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
@@ -58,8 +74,9 @@ class Session {
     [[nodiscard]] int nodeAt(glm::ivec3 entityVoxel) const;
     [[nodiscard]] const std::vector<Instance>& instances() const { return sampler_->instances(); }
 
-    // The entity as it stands in the game; and as it is edited: entity space itself, one unit a
-    // voxel, its origin at the world's, so that nothing moves while voxels are added.
+    // The shown entity as it stands in the game (on the anchor that the document gives it, so that
+    // a preview never makes it jump); and as it is edited: entity space itself, one unit a voxel,
+    // its origin at the world's, so that nothing moves while voxels are added.
     [[nodiscard]] PlacedEntity placedInGame() const;
     [[nodiscard]] PlacedEntity placedForEditing() const;
 
@@ -88,6 +105,9 @@ class Session {
     [[nodiscard]] Status follow(const Changed& changed);
     [[nodiscard]] Status followVoxels(const Changed::Voxels& changed);
     void growOrShrinkBounds(const Changed::Voxels& changed);
+    // What the entity shows at a voxel once `patches` are in force.
+    [[nodiscard]] std::uint8_t valueWith(const std::vector<VoxelPatch>& patches,
+                                         glm::ivec3 entityVoxel) const;
     [[nodiscard]] Status rebuild();
     [[nodiscard]] Status adopt(Document document);
     void chooseActiveNode();
@@ -95,6 +115,7 @@ class Session {
     Workspace workspace_;
     History history_;
     LiveOctree octree_;
+    ShownOctree shown_;
     IBox bounds_;
     std::uint64_t revision_ = 1;
     std::uint64_t modelRevision_ = 1;

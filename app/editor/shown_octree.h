@@ -1,0 +1,36 @@
+// The octree that the views show: the document's, with the coming edit in it. It is kept beside the
+// document's own, so that showing an edit before it is made costs the voxels that differ and no
+// more, and what tools aim at stays as it was.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/base/box.h"
+#include "core/svo/live_octree.h"
+
+namespace voxprite::editor {
+
+class ShownOctree {
+  public:
+    // Another document, or another frame of it: shown as it is.
+    void reset(const LiveOctree& document);
+    // `document` has been edited; the preview, if there was one, ends.
+    void follow(const LiveOctree& document, std::span<const LiveOctree::Edit> edits);
+    // Shows `edits` (entity space, any order, no voxel twice unless with one material) in place of
+    // the last preview. Fails, showing no preview, when an octree could not hold them.
+    [[nodiscard]] Status preview(const LiveOctree& document, std::vector<LiveOctree::Edit> edits);
+
+    [[nodiscard]] const LiveOctree& octree() const { return octree_; }
+    [[nodiscard]] bool previews() const { return !previewed_.empty(); }
+    // Around the voxels that the preview fills.
+    [[nodiscard]] const IBox& filled() const { return filled_; }
+    [[nodiscard]] OctreeChanges takeChanges() { return octree_.takeChanges(); }
+
+  private:
+    LiveOctree octree_;
+    std::vector<LiveOctree::Edit> previewed_;  // ascending voxels, none twice
+    IBox filled_;
+};
+
+}  // namespace voxprite::editor
