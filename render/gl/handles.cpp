@@ -19,6 +19,9 @@ void deleteVertexArray(std::uint32_t id) {
 void deleteProgram(std::uint32_t id) {
     glDeleteProgram(id);
 }
+void deleteQuery(std::uint32_t id) {
+    glDeleteQueries(1, &id);
+}
 
 namespace {
 template <class Object, class Create>
@@ -43,6 +46,9 @@ Framebuffer createFramebuffer() {
 }
 VertexArray createVertexArray() {
     return created<VertexArray>([](auto* id) { glCreateVertexArrays(1, id); });
+}
+Query createTimeQuery() {
+    return created<Query>([](auto* id) { glCreateQueries(GL_TIME_ELAPSED, 1, id); });
 }
 
 }  // namespace voxprite::gl

@@ -37,17 +37,20 @@ void deleteBuffer(std::uint32_t id);
 void deleteFramebuffer(std::uint32_t id);
 void deleteVertexArray(std::uint32_t id);
 void deleteProgram(std::uint32_t id);
+void deleteQuery(std::uint32_t id);
 
 using Texture = Handle<deleteTexture>;
 using Buffer = Handle<deleteBuffer>;
 using Framebuffer = Handle<deleteFramebuffer>;
 using VertexArray = Handle<deleteVertexArray>;
 using Program = Handle<deleteProgram>;
+using Query = Handle<deleteQuery>;
 
 [[nodiscard]] Texture createTexture2d();
 [[nodiscard]] Texture createTexture2dArray();
 [[nodiscard]] Buffer createBuffer();
 [[nodiscard]] Framebuffer createFramebuffer();
 [[nodiscard]] VertexArray createVertexArray();
+[[nodiscard]] Query createTimeQuery();
 
 }  // namespace voxprite::gl
