@@ -199,6 +199,20 @@ void VoxelGrid::fill(const IBox& box, std::uint8_t value) {
     for (const IBox& part : parts) fillWith(part, false);
 }
 
+void VoxelGrid::setBlock(glm::ivec3 origin, const std::uint8_t* voxels) {
+    VOXPRITE_CHECK(isInVoxelRange(origin) && origin % kLeafEdge == glm::ivec3(0));
+    impl_->writer.clear();
+    const bool empty = std::all_of(voxels, voxels + kLeafVoxels, [](auto v) { return v == 0; });
+    const openvdb::Coord position = coord(origin);
+    if (empty && impl_->tree.probeConstLeaf(position) == nullptr &&
+        impl_->tree.getValue(position) == 0) {
+        return;  // nothing must not grow the tree
+    }
+    Leaf* leaf = impl_->tree.touchLeaf(position);
+    std::memcpy(leaf->buffer().data(), voxels, kLeafVoxels);
+    for (openvdb::Index n = 0; n < kLeafVoxels; ++n) leaf->setActiveState(n, voxels[n] != 0);
+}
+
 void VoxelGrid::clear() {
     impl_->writer.clear();
     impl_->tree.clear();
@@ -273,6 +287,12 @@ VoxelGrid::Reader::~Reader() = default;
 
 std::uint8_t VoxelGrid::Reader::get(glm::ivec3 v) const {
     return impl_->reader.getValue(coord(v));
+}
+
+VoxelBlock VoxelGrid::Reader::blockAt(glm::ivec3 v) const {
+    const openvdb::Coord position = coord(v);
+    if (const Leaf* leaf = impl_->reader.probeConstLeaf(position)) return blockFromLeaf(*leaf);
+    return {v & ~(kLeafEdge - 1), kLeafEdge, impl_->reader.getValue(position), nullptr};
 }
 
 }  // namespace voxprite

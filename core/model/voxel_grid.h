@@ -46,6 +46,9 @@ class VoxelGrid {
     void set(glm::ivec3 v, std::uint8_t value);
     // Sparse: whole blocks inside the box cost one entry.
     void fill(const IBox& box, std::uint8_t value);
+    // Replaces the cube of 8 at `origin`, a multiple of 8, by 512 values in the order of
+    // VoxelBlock.
+    void setBlock(glm::ivec3 origin, const std::uint8_t* voxels);
     void clear();
 
     [[nodiscard]] std::uint64_t solidCount() const;  // O(blocks)
@@ -71,6 +74,8 @@ class VoxelGrid {
         Reader(const Reader&) = delete;
         Reader& operator=(const Reader&) = delete;
         [[nodiscard]] std::uint8_t get(glm::ivec3 v) const;
+        // The cube of 8 that holds `v`; here uniformValue may be 0.
+        [[nodiscard]] VoxelBlock blockAt(glm::ivec3 v) const;
 
       private:
         struct Impl;

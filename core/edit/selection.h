@@ -1,0 +1,31 @@
+// What the artist has selected: a VoxelSet of solid voxels of one model. These functions make
+// selections; combined() adds to, takes from or narrows the one there is. connectedRegion() and
+// voxelsOfColour() (regions.h) are the magic wands.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/vec3.hpp>
+
+#include "core/base/box.h"
+#include "core/edit/voxel_set.h"
+#include "core/model/voxel_grid.h"
+
+namespace voxprite {
+
+enum class SelectMode : std::uint8_t { replace, add, remove, intersect };
+
+[[nodiscard]] VoxelSet combined(VoxelSet selection, const VoxelSet& with, SelectMode mode);
+
+[[nodiscard]] VoxelSet selectAll(const VoxelGrid& voxels);
+[[nodiscard]] VoxelSet selectBox(const VoxelGrid& voxels, const IBox& box);
+// The solid voxels that `choose` says yes to: those that project into a rectangle on the screen.
+// It is asked once for every solid voxel.
+[[nodiscard]] VoxelSet selectIf(const VoxelGrid& voxels,
+                                const std::function<bool(glm::ivec3 v)>& choose);
+// The solid voxels that are not selected.
+[[nodiscard]] VoxelSet inverted(const VoxelGrid& voxels, const VoxelSet& selection);
+// Drops what is no longer solid, after an edit or an undo.
+[[nodiscard]] VoxelSet stillSolid(const VoxelGrid& voxels, VoxelSet selection);
+
+}  // namespace voxprite
