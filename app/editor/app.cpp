@@ -32,6 +32,16 @@ void beginPanel(Ui& ui, const char* name, const Area& area, ImVec2 padding,
 
 }  // namespace
 
+Status App::openAtStart(const std::filesystem::path& file) {
+    Status opened = session_.open(file);
+    if (opened) settings_.remember(file);
+    return opened;
+}
+
+Status App::openProfileAtStart(const std::filesystem::path& file) {
+    return session_.openProfile(file);
+}
+
 Result<std::unique_ptr<App>> App::create(EditorSettings settings,
                                          std::optional<std::filesystem::path> layoutDump) {
     Result<VoxelViewport> voxels = VoxelViewport::create();
@@ -54,11 +64,14 @@ void App::frame(const Theme& theme, const std::vector<InputEvent>& events) {
     if (!events.empty()) editStart_ = events.front().seconds;
     advanceAnimation();
     figures_.strokeSize.clear();
-    Ui ui{theme, session_, settings_, edits_, commands_, probe_, figures_, path};
-    commands_.askByKeys();
+    Ui ui{theme, session_, settings_, edits_, commands_, context_, probe_, figures_, path};
+    commands_.askByKeys(settings_.keys);
     buildUi(ui);
-    perform(edits_.take());
-    for (const CommandId id : commands_.take()) run(id);
+    for (Action& action : edits_.take()) context_.perform(std::move(action));
+    for (const CommandId id : commands_.take()) {
+        if (isEnabled(id, context_)) commandOf(id).run(context_);
+    }
+    if (files_.takeReplaced()) startOver();
     lockCameras();
     renderViews();
     dumpLayout();
@@ -100,7 +113,7 @@ void App::buildUi(Ui& ui) {
     drawStatusBar(ui);
     ImGui::End();
 
-    drawDialogs(ui);
+    files_.draw(ui);
     const float left = layout.edit.min.x, right = layout.sprite.max().x;
     toasts_.draw(theme, {(left + right) * 0.5f, layout.edit.max().y},
                  std::min(theme.px(560), right - left - theme.px(32)));
@@ -161,19 +174,17 @@ void App::drawDock(Ui& ui) {
     }
 }
 
-void App::drawDialogs(Ui& ui) {
-    const UnsavedAnswer answer = dialogs_.draw(ui);
-    if (answer != UnsavedAnswer::none) afterUnsavedQuestion(answer);
-    if (const auto path = browser_.draw(ui)) browserChose(*path);
-}
-
-void App::perform(std::vector<Action> actions) {
-    for (Action& action : actions) report(session_.perform(std::move(action)));
+void App::startOver() {
+    voxels_.cancelStroke();
+    sprite_.forget();
+    framed_ = false;
+    figures_.editMilliseconds.reset();
 }
 
 void App::renderViews() {
     if (!framed_) {
-        frameModel();
+        voxels_.frameModel(session_);
+        sprite_.frameModel(session_);
         framed_ = true;
     }
     const OctreeChanges changes = session_.takeOctreeChanges();
@@ -227,7 +238,7 @@ void App::advanceAnimation() {
     animationSeconds_ += static_cast<double>(ImGui::GetIO().DeltaTime);
     if (animationSeconds_ < 1.0 / rate) return;
     animationSeconds_ = 0.0;
-    report(session_.setFrame((session_.frame() + 1) % session_.frames()));
+    context_.report(session_.setFrame((session_.frame() + 1) % session_.frames()));
 }
 
 bool App::animates() const {
@@ -245,7 +256,7 @@ void App::dumpLayout() {
                          {"steps", session_.history().position()},
                          {"sigma", session_.profile().sigma},
                          {"file", session_.path() ? session_.path()->string() : ""},
-                         {"dialog", browser_.isOpen() ? "browser" : dialogs_.openName()},
+                         {"dialog", files_.isBrowsing() ? "browser" : dialogs_.openName()},
                          {"colour", settings_.tool.colour},
                          {"toast", toasts_.newest()}};
     if (const auto& hovered = voxels_.hovered()) {
@@ -253,7 +264,7 @@ void App::dumpLayout() {
         state["hovered"] = {
             {"voxel", {v.x, v.y, v.z}}, {"normal", {n.x, n.y, n.z}}, {"ground", hovered->ground}};
     }
-    report(probe_.endFrame(state));
+    context_.report(probe_.endFrame(state));
 }
 
 }  // namespace voxprite::editor

@@ -7,10 +7,9 @@
 #include <optional>
 #include <vector>
 
+#include "app/editor/file_flow.h"
 #include "app/editor/input.h"
 #include "app/editor/layout.h"
-#include "app/editor/panels/dialogs.h"
-#include "app/editor/panels/file_browser.h"
 #include "app/editor/sprite_viewport.h"
 #include "app/editor/toasts.h"
 #include "app/editor/voxel_viewport.h"
@@ -30,11 +29,11 @@ class App {
     // One frame: `events` are those that ImGui was fed. Between ImGui's NewFrame and Render.
     void frame(const Theme& theme, const std::vector<InputEvent>& events);
     // Dropped or otherwise asked for; asks about unsaved changes first.
-    void requestOpen(const std::filesystem::path& file);
-    void requestQuit();
+    void requestOpen(const std::filesystem::path& file) { files_.open(file); }
+    void requestQuit() { files_.quit(); }
     void say(std::string text) { toasts_.info(std::move(text)); }
 
-    [[nodiscard]] bool quits() const { return quits_; }
+    [[nodiscard]] bool quits() const { return files_.quits(); }
     // Something moves by itself, so that the next frame must not wait for input.
     [[nodiscard]] bool animates() const;
     [[nodiscard]] bool hasToasts() const { return toasts_.any(); }
@@ -53,33 +52,13 @@ class App {
     void buildUi(Ui& ui);
     void drawDivider(Ui& ui, const Layout& layout);
     void drawDock(Ui& ui);
-    void drawDialogs(Ui& ui);
-    void perform(std::vector<Action> actions);
     void renderViews();
     void lockCameras();
     void advanceAnimation();
     void dumpLayout();
 
-    // Commands (app_commands.cpp).
-    void run(CommandId id);
-    void runFileCommand(CommandId id);
-    void runSceneCommand(CommandId id);
-    void runToggle(CommandId id);
-    void report(const Status& status);
-    void afterUnsavedQuestion(UnsavedAnswer answer);
-    void browserChose(const std::filesystem::path& path);
-    void openNow(const std::filesystem::path& path);
-    void saveOrAsk();
-    void frameModel();
-    void look(double yawDegrees, double pitchDegrees);
-
-    // What waits for the answer about unsaved changes.
-    enum class Waiting : std::uint8_t { none, startNew, openDialog, openFile, quit };
-    void continueAfterSaving();
-    void unlessUnsaved(Waiting what);
-    // What the file browser was opened for.
-    enum class Browsing : std::uint8_t { open, saveAs, exportOctree, openProfile, saveProfile };
-    void browse(Browsing what);
+    // Another document is open: nothing of the last one's is remembered.
+    void startOver();
 
     EditorSettings settings_;
     Session session_;
@@ -92,11 +71,8 @@ class App {
     ViewFigures figures_;
     Toasts toasts_;
     Dialogs dialogs_;
-    FileBrowser browser_;
-    Browsing browsing_ = Browsing::open;
-    Waiting waiting_ = Waiting::none;
-    std::filesystem::path waitingFile_;
-    bool quits_ = false;
+    CommandContext context_{session_, settings_, voxels_, sprite_, files_, dialogs_, toasts_};
+    FileFlow files_{context_};
     bool framed_ = false;  // the cameras have been placed for this document
     glm::dvec2 pointer_{0.0};
     double animationSeconds_ = 0.0;

@@ -1,15 +1,24 @@
-// Everything that a menu, a button or a key can ask for, in one table.
+// Everything that a menu, a button, a key or the command palette can ask for. Each area of the
+// program keeps its own table (commands/tables.h); all of them are read as one here.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "app/editor/keymap.h"
+
 namespace voxprite::editor {
 
+struct CommandContext;
+
 enum class CommandId : std::uint8_t {
+    // File
     newFile,
     open,
     save,
@@ -19,25 +28,44 @@ enum class CommandId : std::uint8_t {
     saveProfile,
     saveProfileAs,
     quit,
+    // Edit
     undo,
     redo,
     addObject,
     duplicateObject,
     deleteObject,
-    attach,
-    erase,
-    paint,
-    pickColour,
-    pickAnchor,
-    shapeVoxel,
-    shapeBox,
+    // Tools
+    modeAttach,
+    modeErase,
+    modePaint,
+    toolBrush,
+    toolFace,
+    toolLaser,
+    toolFill,
+    toolPlaneFill,
+    toolStamp,
+    toolBox,
+    toolLine,
+    toolSphere,
+    toolEllipse,
+    toolCylinder,
+    toolSelectBox,
+    toolSelectRectangle,
+    toolWand,
+    toolPickColour,
+    toolAnchor,
+    toolSocket,
     gizmoMove,
     gizmoRotate,
     gizmoScale,
+    // View
     frameModel,
     viewFront,
+    viewBack,
     viewRight,
+    viewLeft,
     viewTop,
+    viewBottom,
     toggleEdges,
     toggleEditGround,
     toggleProxyBox,
@@ -47,38 +75,47 @@ enum class CommandId : std::uint8_t {
     toggleLockCameras,
     themeDark,
     themeLight,
+    // Help
     about
 };
 
-enum class MenuId : std::uint8_t { none, file, edit, tool, view };
-
-struct Chord {
-    int key = 0;  // GLFW's number; 0 is none
-    bool control = false;
-    bool shift = false;
-};
+enum class MenuId : std::uint8_t { none, file, edit, tool, view, help };
 
 struct Command {
-    CommandId id;
-    MenuId menu;
-    const char* name;
-    const char* icon;  // may be empty
-    Chord chord;
-    Chord otherChord;  // does the same
-    bool separator;    // above it in its menu
+    CommandId id = CommandId::newFile;
+    // Its name in the settings; once released it stays: "undo".
+    const char* tag = "";
+    MenuId menu = MenuId::none;
+    const char* name = "";
+    const char* icon = "";
+    std::array<Chord, 2> chords{};  // unless the settings say otherwise; {} is none
+    bool separator = false;         // above it in its menu
+    bool repeats = false;           // while its key is held
+    void (*run)(CommandContext& context) = nullptr;
+    // Can it be used now? Always, when there is none.
+    bool (*enabled)(const CommandContext& context) = nullptr;
+    // Is the state that it stands for on? Without: it has no state.
+    bool (*on)(const CommandContext& context) = nullptr;
 };
 
+// All areas' commands in the order of their menus.
 [[nodiscard]] std::span<const Command> commands();
 [[nodiscard]] const Command& commandOf(CommandId id);
-// "Ctrl+Shift+Z", or nothing.
-[[nodiscard]] std::string chordText(const Chord& chord);
+[[nodiscard]] bool isEnabled(CommandId id, const CommandContext& context);
+[[nodiscard]] bool isOn(CommandId id, const CommandContext& context);
+
+// What the keys mean: the defaults of the tables but for what the artist bound otherwise.
+[[nodiscard]] const std::array<Chord, 2>& chordsOf(const Command& command, const Keymap& keymap);
+// "Undo  (Ctrl+Z)"
+[[nodiscard]] std::string nameWithKey(CommandId id, const Keymap& keymap);
 
 // What the user asked for this frame, run once the user interface has been built.
 class CommandQueue {
   public:
     void ask(CommandId id) { asked_.push_back(id); }
-    // Asks for whatever the keys pressed this frame mean; none while text is being typed.
-    void askByKeys();
+    // Asks for whatever the keys pressed this frame mean; none while text is being typed or a
+    // dialog is in front.
+    void askByKeys(const Keymap& keymap);
     [[nodiscard]] std::vector<CommandId> take() { return std::exchange(asked_, {}); }
 
   private:

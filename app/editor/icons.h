@@ -8,9 +8,22 @@ inline constexpr char32_t kLast = 0xF6FF;
 
 inline constexpr const char* kAttach = "\uF3EB";
 inline constexpr const char* kErase = "\uF1FE";
-inline constexpr const char* kPaint = "\uF0E3";
-inline constexpr const char* kVoxel = "\uF1A6";
-inline constexpr const char* kBox = "\uF1A9";
+inline constexpr const char* kPaint = "\uF27C";
+inline constexpr const char* kBrush = "\uF0E3";
+inline constexpr const char* kFace = "\uF060";
+inline constexpr const char* kLaser = "\uF241";
+inline constexpr const char* kFill = "\uF266";
+inline constexpr const char* kPlaneFill = "\uF50C";
+inline constexpr const char* kStamp = "\uF192";
+inline constexpr const char* kLine = "\uF55E";
+inline constexpr const char* kSphere = "\uF12F";
+inline constexpr const char* kEllipse = "\uF556";
+inline constexpr const char* kCylinder = "\uF1B8";
+inline constexpr const char* kSelectBox = "\uF562";
+inline constexpr const char* kSelectRectangle = "\uF485";
+inline constexpr const char* kWand = "\uF068";
+inline constexpr const char* kSocket = "\uF34E";
+inline constexpr const char* kBox = "\uF1A6";
 inline constexpr const char* kPickColour = "\uF20A";
 inline constexpr const char* kPickAnchor = "\uF4FE";
 inline constexpr const char* kMove = "\uF1B6";
@@ -54,5 +67,11 @@ inline constexpr const char* kHistory = "\uF2DA";
 inline constexpr const char* kReset = "\uF450";
 inline constexpr const char* kSearch = "\uF349";
 inline constexpr const char* kCopy = "\uF18F";
+inline constexpr const char* kKeyboard = "\uF30C";
+inline constexpr const char* kSettings = "\uF493";
+inline constexpr const char* kHelp = "\uF625";
+inline constexpr const char* kCamera = "\uF567";
+inline constexpr const char* kPerspective = "\uF1A7";
+inline constexpr const char* kIsometric = "\uF2D9";
 
 }  // namespace voxprite::editor::icon

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 namespace voxprite::editor {
 namespace {
@@ -24,6 +25,8 @@ constexpr std::array kNamedKeys{
     NamedKey{"equal", GLFW_KEY_EQUAL},
     NamedKey{"left_bracket", GLFW_KEY_LEFT_BRACKET},
     NamedKey{"right_bracket", GLFW_KEY_RIGHT_BRACKET},
+    NamedKey{"backslash", GLFW_KEY_BACKSLASH},
+    NamedKey{"grave_accent", GLFW_KEY_GRAVE_ACCENT},
     NamedKey{"escape", GLFW_KEY_ESCAPE},
     NamedKey{"enter", GLFW_KEY_ENTER},
     NamedKey{"keypad_enter", GLFW_KEY_KP_ENTER},
@@ -39,6 +42,21 @@ constexpr std::array kNamedKeys{
     NamedKey{"page_down", GLFW_KEY_PAGE_DOWN},
     NamedKey{"home", GLFW_KEY_HOME},
     NamedKey{"end", GLFW_KEY_END},
+    NamedKey{"keypad_0", GLFW_KEY_KP_0},
+    NamedKey{"keypad_1", GLFW_KEY_KP_1},
+    NamedKey{"keypad_2", GLFW_KEY_KP_2},
+    NamedKey{"keypad_3", GLFW_KEY_KP_3},
+    NamedKey{"keypad_4", GLFW_KEY_KP_4},
+    NamedKey{"keypad_5", GLFW_KEY_KP_5},
+    NamedKey{"keypad_6", GLFW_KEY_KP_6},
+    NamedKey{"keypad_7", GLFW_KEY_KP_7},
+    NamedKey{"keypad_8", GLFW_KEY_KP_8},
+    NamedKey{"keypad_9", GLFW_KEY_KP_9},
+    NamedKey{"keypad_decimal", GLFW_KEY_KP_DECIMAL},
+    NamedKey{"keypad_divide", GLFW_KEY_KP_DIVIDE},
+    NamedKey{"keypad_multiply", GLFW_KEY_KP_MULTIPLY},
+    NamedKey{"keypad_subtract", GLFW_KEY_KP_SUBTRACT},
+    NamedKey{"keypad_add", GLFW_KEY_KP_ADD},
     NamedKey{"left_shift", GLFW_KEY_LEFT_SHIFT},
     NamedKey{"left_control", GLFW_KEY_LEFT_CONTROL},
     NamedKey{"left_alt", GLFW_KEY_LEFT_ALT},
@@ -51,6 +69,8 @@ constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz";
 constexpr std::string_view kDigits = "0123456789";
 constexpr std::array<std::string_view, 12> kFunctionKeys{"f1", "f2", "f3", "f4",  "f5",  "f6",
                                                          "f7", "f8", "f9", "f10", "f11", "f12"};
+
+static_assert(kLastKey == GLFW_KEY_LAST);
 
 }  // namespace
 
@@ -90,10 +110,25 @@ std::optional<std::string_view> keyName(int key) {
 }
 
 std::optional<int> keyNamed(std::string_view name) {
-    for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_LAST; ++key) {
+    for (int key = GLFW_KEY_SPACE; key <= kLastKey; ++key) {
         if (keyName(key) == name) return key;
     }
     return std::nullopt;
+}
+
+std::string keyLabel(int key) {
+    const auto name = keyName(key);
+    if (!name) return {};
+    // GLFW counts the printable keys as ASCII does.
+    if (key > GLFW_KEY_SPACE && key <= GLFW_KEY_GRAVE_ACCENT) return {static_cast<char>(key)};
+    std::string label(*name);
+    bool atStart = true;
+    for (char& c : label) {
+        if (c == '_') c = ' ';
+        if (atStart) c = static_cast<char>(std::toupper(c));
+        atStart = c == ' ';
+    }
+    return label;
 }
 
 }  // namespace voxprite::editor

@@ -49,5 +49,8 @@ class InputQueue {
 // "left_control", "a", "f5", ...; nothing for keys without a name.
 [[nodiscard]] std::optional<std::string_view> keyName(int key);
 [[nodiscard]] std::optional<int> keyNamed(std::string_view name);
+// As people read it: "-", "A", "Page Up"; empty for keys without a name.
+[[nodiscard]] std::string keyLabel(int key);
+inline constexpr int kLastKey = 348;  // keys are numbered up to it
 
 }  // namespace voxprite::editor

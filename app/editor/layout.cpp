@@ -6,7 +6,7 @@ namespace voxprite::editor {
 
 Layout layoutFor(const Theme& theme, ImVec2 window, float split) {
     const float menuHeight = theme.px(30), statusHeight = theme.px(26);
-    const float toolWidth = theme.px(48), sideWidth = theme.px(320);
+    const float toolWidth = theme.px(84), sideWidth = theme.px(320);
     const float line = std::max(1.0f, theme.px(1)), dividerWidth = theme.px(5);
     const float top = menuHeight + line;
     const float height = std::max(1.0f, window.y - top - statusHeight - line);

@@ -25,10 +25,25 @@ void readEnum(const Json& json, const char* name, Enum last, Enum& value) {
     if (number >= 0 && number <= static_cast<int>(last)) value = static_cast<Enum>(number);
 }
 
+// {"undo": ["Ctrl+Z", ""], ...}: what is said wrongly keeps its default.
+void readKeys(const Json& json, Keymap& keys) {
+    const Json bound = json.value("keys", Json::object());
+    for (const auto& [tag, texts] : bound.items()) {
+        std::array<Chord, 2> chords{};
+        bool good = true;
+        for (std::size_t i = 0; i < std::min(chords.size(), texts.size()); ++i) {
+            const auto chord = chordNamed(texts.at(i).get<std::string>());
+            good = good && chord;
+            if (chord) chords[i] = *chord;
+        }
+        if (good) keys[tag] = chords;
+    }
+}
+
 void read(const Json& json, EditorSettings& settings) {
     ToolSettings& tool = settings.tool;
-    readEnum(json, "tool", Tool::paint, tool.tool);
-    readEnum(json, "shape", BrushShape::box, tool.shape);
+    readEnum(json, "mode", EditMode::paint, tool.mode);
+    readEnum(json, "tool", ToolKind::socket, tool.tool);
     readEnum(json, "gizmo", GizmoKind::scale, tool.gizmo);
     ViewSettings& view = settings.view;
     view.voxelEdges = json.value("voxel_edges", view.voxelEdges);
@@ -46,9 +61,20 @@ void read(const Json& json, EditorSettings& settings) {
     for (const Json& file : json.value("recent", Json::array())) {
         window.recent.emplace_back(file.get<std::string>());
     }
+    readKeys(json, settings.keys);
 }
 
 }  // namespace
+
+void ToolSettings::choose(ToolKind chosen) {
+    if (!isForOneClick()) before = tool;
+    tool = chosen;
+}
+
+void ToolSettings::chooseMode(EditMode chosen) {
+    mode = chosen;
+    if (isForOneClick()) tool = before;
+}
 
 void EditorSettings::remember(const std::filesystem::path& file) {
     std::error_code ignored;
@@ -79,8 +105,8 @@ EditorSettings loadSettings(const std::filesystem::path& path) {
 
 Status saveSettings(const std::filesystem::path& path, const EditorSettings& settings) {
     Json json;
+    json["mode"] = static_cast<int>(settings.tool.mode);
     json["tool"] = static_cast<int>(settings.tool.tool);
-    json["shape"] = static_cast<int>(settings.tool.shape);
     json["gizmo"] = static_cast<int>(settings.tool.gizmo);
     json["voxel_edges"] = settings.view.voxelEdges;
     json["edit_ground"] = settings.view.editGround;
@@ -95,6 +121,10 @@ Status saveSettings(const std::filesystem::path& path, const EditorSettings& set
     json["folder"] = settings.window.folder.string();
     json["recent"] = Json::array();
     for (const auto& file : settings.window.recent) json["recent"].push_back(file.string());
+    json["keys"] = Json::object();
+    for (const auto& [tag, chords] : settings.keys) {
+        json["keys"][tag] = {chordText(chords[0]), chordText(chords[1])};
+    }
 
     std::error_code failed;
     std::filesystem::create_directories(path.parent_path(), failed);

@@ -6,22 +6,48 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/stroke.h"
+#include "app/editor/keymap.h"
 #include "app/editor/theme.h"
 #include "core/base/result.h"
+#include "core/edit/patches.h"
 
 namespace voxprite::editor {
 
-enum class Tool : std::uint8_t { attach, erase, paint, pickColour, pickAnchor };
+enum class ToolKind : std::uint8_t {
+    brush,
+    face,
+    laser,
+    fill,
+    planeFill,
+    stamp,
+    box,
+    line,
+    sphere,
+    ellipse,
+    cylinder,
+    selectBox,
+    selectRectangle,
+    wand,
+    pickColour,
+    anchor,
+    socket
+};
 enum class GizmoKind : std::uint8_t { none, move, rotate, scale };
 enum class DockTab : std::uint8_t { palette, objects, history };
 
 struct ToolSettings {
-    Tool tool = Tool::attach;
-    Tool before = Tool::attach;  // where the picking tools, good for one click, return to
-    BrushShape shape = BrushShape::voxel;
+    EditMode mode = EditMode::attach;  // what the drawing tools do to voxels
+    ToolKind tool = ToolKind::brush;
+    ToolKind before = ToolKind::brush;  // where tools good for one click return to
     std::uint8_t colour = 1;
     GizmoKind gizmo = GizmoKind::move;
+
+    void choose(ToolKind chosen);
+    // Leaves a tool that is good for one click, as it would do itself.
+    void chooseMode(EditMode chosen);
+    [[nodiscard]] bool isForOneClick() const {
+        return tool == ToolKind::pickColour || tool == ToolKind::anchor;
+    }
     bool operator==(const ToolSettings&) const = default;
 };
 
@@ -50,6 +76,7 @@ struct EditorSettings {
     ToolSettings tool;
     ViewSettings view;
     WindowSettings window;
+    Keymap keys;
     bool operator==(const EditorSettings&) const = default;
 
     // To the top of the recent files, each of which stands there once.

@@ -10,7 +10,7 @@
 
 #include "app/editor/commands.h"
 #include "app/editor/layout_probe.h"
-#include "app/editor/make_action.h"
+#include "core/edit/make_action.h"
 #include "app/editor/session.h"
 #include "app/editor/settings.h"
 #include "app/editor/theme.h"
@@ -53,6 +53,7 @@ struct Ui {
     EditorSettings& settings;
     EditQueue& edits;
     CommandQueue& commands;
+    const CommandContext& context;  // for what state a command is in
     LayoutProbe& probe;
     ViewFigures& figures;
     // Where the pointer went since the last frame, from where it was then; window pixels.

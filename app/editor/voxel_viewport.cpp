@@ -11,26 +11,23 @@ namespace {
 // What an empty document shows of the ground, in voxels.
 constexpr IBox kEmptyShown{{-12, -12, 0}, {12, 12, 12}};
 
-std::string toolName(const ToolSettings& tool) {
-    const bool box = tool.shape == BrushShape::box;
-    switch (tool.tool) {
-        case Tool::attach:
-            return box ? "Attach boxes" : "Attach";
-        case Tool::erase:
-            return box ? "Erase boxes" : "Erase";
-        case Tool::paint:
-            return box ? "Paint boxes" : "Paint";
-        case Tool::pickColour:
-            return "Click a voxel for its colour";
-        case Tool::pickAnchor:
-            return "Click a voxel for the anchor; Shift: its face";
-    }
-    return {};
+BrushShape shapeOf(ToolKind tool) {
+    return tool == ToolKind::box ? BrushShape::box : BrushShape::voxel;
 }
 
-EditMode modeOf(Tool tool) {
-    if (tool == Tool::erase) return EditMode::erase;
-    return tool == Tool::paint ? EditMode::paint : EditMode::attach;
+std::string toolName(const ToolSettings& tool) {
+    if (tool.tool == ToolKind::pickColour) return "Click a voxel for its colour";
+    if (tool.tool == ToolKind::anchor) return "Click a voxel for the anchor; Shift: its face";
+    const bool box = shapeOf(tool.tool) == BrushShape::box;
+    switch (tool.mode) {
+        case EditMode::attach:
+            return box ? "Attach boxes" : "Attach";
+        case EditMode::erase:
+            return box ? "Erase boxes" : "Erase";
+        case EditMode::paint:
+            return box ? "Paint boxes" : "Paint";
+    }
+    return {};
 }
 
 }  // namespace
@@ -103,15 +100,15 @@ void VoxelViewport::useTool(Ui& ui, const ViewInput& input, const Camera& camera
 void VoxelViewport::beginTool(Ui& ui, const Pick& pick, std::string& refusal) {
     ToolSettings& tool = ui.settings.tool;
     if (ImGui::GetIO().KeyAlt) return pickColour(ui, pick);
-    if (tool.tool == Tool::pickColour || tool.tool == Tool::pickAnchor) {
+    if (tool.isForOneClick()) {
         if (pick.ground) return;
-        if (tool.tool == Tool::pickColour) pickColour(ui, pick);
-        if (tool.tool == Tool::pickAnchor) pickAnchor(ui, pick);
+        if (tool.tool == ToolKind::pickColour) pickColour(ui, pick);
+        if (tool.tool == ToolKind::anchor) pickAnchor(ui, pick);
         tool.tool = tool.before;
         return;
     }
     Result<Stroke> stroke =
-        Stroke::begin(ui.session, {modeOf(tool.tool), tool.shape, tool.colour}, pick);
+        Stroke::begin(ui.session, {tool.mode, shapeOf(tool.tool), tool.colour}, pick);
     if (stroke) {
         stroke_ = std::move(*stroke);
     } else {
@@ -137,12 +134,11 @@ void VoxelViewport::drawHover(Ui& ui, const Camera& camera) {
     if (!hovered_) return;
     const Theme& theme = ui.theme;
     const ToolSettings& tool = ui.settings.tool;
-    const bool picking =
-        tool.tool == Tool::pickColour || tool.tool == Tool::pickAnchor || ImGui::GetIO().KeyAlt;
-    if (hovered_->ground && (picking || tool.tool != Tool::attach)) return;
+    const bool picking = tool.isForOneClick() || ImGui::GetIO().KeyAlt;
+    if (hovered_->ground && (picking || tool.mode != EditMode::attach)) return;
     const ViewDrawing draw(canvas_, camera);
-    const ImU32 colour = tool.tool == Tool::erase && !picking ? theme.danger : theme.accent;
-    const bool attaches = tool.tool == Tool::attach && !picking;
+    const ImU32 colour = tool.mode == EditMode::erase && !picking ? theme.danger : theme.accent;
+    const bool attaches = tool.mode == EditMode::attach && !picking;
     const glm::ivec3 cell = attaches ? hovered_->attachTo() : hovered_->voxel;
     draw.face(faceCorners(*hovered_), withAlpha(colour, 0.35f));
     draw.box(IBox::around(cell, cell), withAlpha(colour, 0.9f), theme.px(1.5f));

@@ -245,9 +245,8 @@ bool iconButton(Ui& ui, const char* name, const char* icon, Lit lit, float sizeP
 
 void commandButton(Ui& ui, CommandId id, Lit lit, float sizePx, ImFont* font) {
     const Command& command = commandOf(id);
-    std::string text = command.name;
-    if (const std::string key = chordText(command.chord); !key.empty()) text += "  (" + key + ")";
-    const std::string name = std::string("command.") + command.name;
+    const std::string text = nameWithKey(id, ui.settings.keys);
+    const std::string name = std::string("command.") + command.tag;
     if (iconButton(ui, name.c_str(), command.icon, lit, sizePx, text.c_str(), font)) {
         ui.commands.ask(id);
     }

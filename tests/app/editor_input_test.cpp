@@ -126,8 +126,9 @@ TEST(EditorPlayScript, ErrorsNameTheLine) {
 TEST(EditorSettingsFile, KeepsWhatWasChosenAndSurvivesNonsense) {
     const test::TemporaryFolder folder;
     EditorSettings settings;
-    settings.tool.tool = Tool::paint;
-    settings.tool.shape = BrushShape::box;
+    settings.tool.mode = EditMode::paint;
+    settings.tool.tool = ToolKind::cylinder;
+    settings.keys["undo"] = {control('U'), key('-')};
     settings.tool.gizmo = GizmoKind::rotate;
     settings.view.proxyBox = false;
     settings.view.lockCameras = true;
@@ -150,7 +151,7 @@ TEST(EditorSettingsFile, KeepsWhatWasChosenAndSurvivesNonsense) {
     EXPECT_EQ(loadSettings(path), EditorSettings{});
     std::ofstream(path) << "{\"tool\": 99, \"theme\": -1, \"split\": 7}";
     const EditorSettings clamped = loadSettings(path);
-    EXPECT_EQ(clamped.tool.tool, Tool::attach);
+    EXPECT_EQ(clamped.tool.tool, ToolKind::brush);
     EXPECT_LE(clamped.window.split, 0.85f);
 }
 

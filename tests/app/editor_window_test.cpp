@@ -119,7 +119,7 @@ TEST_F(EditorInAWindow, ToolsDragAcrossTheModel) {
     EXPECT_EQ(state().at("voxels"), 960);
     EXPECT_EQ(state().at("steps"), 0);
 
-    key("b");
+    key("u");
     key("t");
     drag(centreOf("view.edit"), centreOf("view.edit") + glm::ivec2(24, 6));
     await("a box", [](const Json& now) { return now.at("state").at("voxels") > 961; });

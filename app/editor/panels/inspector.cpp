@@ -96,11 +96,8 @@ void anchorPresets(Ui& ui, Entity& entity, const IBox& bounds) {
         ImGui::SameLine(0.0f, gap);
     }
     ImGui::PopStyleVar();
-    const bool picking = ui.settings.tool.tool == Tool::pickAnchor;
-    if (iconButton(ui, "inspector.anchor.pick", icon::kPickAnchor, picking ? Lit::filled : Lit::off,
-                   square, "Set the anchor by clicking a voxel in the edit view (A)")) {
-        ui.commands.ask(CommandId::pickAnchor);
-    }
+    const bool picking = ui.settings.tool.tool == ToolKind::anchor;
+    commandButton(ui, CommandId::toolAnchor, picking ? Lit::filled : Lit::off, square);
 }
 
 void entitySection(Ui& ui, Entity& entity) {

@@ -14,12 +14,12 @@ constexpr const char* kIconSpace = "        ";
 void item(Ui& ui, const Command& command) {
     if (command.separator) ImGui::Separator();
     const std::string label = kIconSpace + std::string(command.name);
-    const std::string keys = chordText(command.chord);
-    if (ImGui::MenuItem(label.c_str(), keys.c_str(), isOn(command.id, ui.settings),
-                        isEnabled(command.id, ui.session))) {
+    const std::string keys = chordText(chordsOf(command, ui.settings.keys)[0]);
+    if (ImGui::MenuItem(label.c_str(), keys.c_str(), isOn(command.id, ui.context),
+                        isEnabled(command.id, ui.context))) {
         ui.commands.ask(command.id);
     }
-    ui.probe.markItem(std::string("menu.") + command.name);
+    ui.probe.markItem(std::string("menu.") + command.tag);
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     const float y = std::round((min.y + max.y - ImGui::GetFontSize()) * 0.5f);
     ImGui::GetWindowDrawList()->AddText({min.x + ui.theme.px(8), y},
@@ -64,7 +64,8 @@ std::optional<std::filesystem::path> drawMenuBar(Ui& ui) {
     constexpr Entry kMenus[] = {{MenuId::file, "File"},
                                 {MenuId::edit, "Edit"},
                                 {MenuId::tool, "Tools"},
-                                {MenuId::view, "View"}};
+                                {MenuId::view, "View"},
+                                {MenuId::help, "Help"}};
     std::optional<std::filesystem::path> chosen;
     if (!ImGui::BeginMenuBar()) return chosen;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ui.theme.px(8, 8));

@@ -144,7 +144,7 @@ void drawObjects(Ui& ui) {
     const float square = theme.px(24);
     for (const CommandId id :
          {CommandId::addObject, CommandId::duplicateObject, CommandId::deleteObject}) {
-        ImGui::BeginDisabled(!isEnabled(id, ui.session));
+        ImGui::BeginDisabled(!isEnabled(id, ui.context));
         commandButton(ui, id, Lit::off, square);
         ImGui::EndDisabled();
         ImGui::SameLine(0.0f, theme.px(4));

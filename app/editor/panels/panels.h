@@ -14,8 +14,4 @@ void drawStatusBar(Ui& ui);
 // The bar at the top; returns a recent file that was chosen.
 [[nodiscard]] std::optional<std::filesystem::path> drawMenuBar(Ui& ui);
 
-// Which commands make sense now, and which show a state that is on.
-[[nodiscard]] bool isEnabled(CommandId id, const Session& session);
-[[nodiscard]] bool isOn(CommandId id, const EditorSettings& settings);
-
 }  // namespace voxprite::editor

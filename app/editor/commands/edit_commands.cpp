@@ -1,0 +1,44 @@
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "app/editor/command_context.h"
+#include "app/editor/commands/tables.h"
+#include "app/editor/icons.h"
+#include "app/editor/voxel_viewport.h"
+
+namespace voxprite::editor {
+
+std::span<const Command> editCommands() {
+    using enum CommandId;
+    static constexpr std::array kCommands{
+        Command{.id = undo,
+                .tag = "undo",
+                .menu = MenuId::edit,
+                .name = "Undo",
+                .icon = icon::kUndo,
+                .chords = {control(GLFW_KEY_Z)},
+                .repeats = true,
+                .run =
+                    [](CommandContext& c) {
+                        c.editView.cancelStroke();
+                        c.report(c.session.undo());
+                    },
+                .enabled = [](const CommandContext& c) { return c.session.history().canUndo(); }},
+        Command{.id = redo,
+                .tag = "redo",
+                .menu = MenuId::edit,
+                .name = "Redo",
+                .icon = icon::kRedo,
+                .chords = {control(GLFW_KEY_Y), controlShift(GLFW_KEY_Z)},
+                .repeats = true,
+                .run =
+                    [](CommandContext& c) {
+                        c.editView.cancelStroke();
+                        c.report(c.session.redo());
+                    },
+                .enabled = [](const CommandContext& c) { return c.session.history().canRedo(); }},
+    };
+    return kCommands;
+}
+
+}  // namespace voxprite::editor

@@ -1,0 +1,80 @@
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "app/editor/command_context.h"
+#include "app/editor/commands/tables.h"
+#include "app/editor/file_flow.h"
+#include "app/editor/icons.h"
+
+namespace voxprite::editor {
+
+std::span<const Command> fileCommands() {
+    using enum CommandId;
+    static constexpr std::array kCommands{
+        Command{.id = newFile,
+                .tag = "new",
+                .menu = MenuId::file,
+                .name = "New",
+                .icon = icon::kFile,
+                .chords = {control(GLFW_KEY_N)},
+                .run = [](CommandContext& c) { c.files.startNew(); }},
+        Command{.id = open,
+                .tag = "open",
+                .menu = MenuId::file,
+                .name = "Open…",
+                .icon = icon::kOpen,
+                .chords = {control(GLFW_KEY_O)},
+                .run = [](CommandContext& c) { c.files.open(); }},
+        Command{.id = save,
+                .tag = "save",
+                .menu = MenuId::file,
+                .name = "Save",
+                .icon = icon::kSave,
+                .chords = {control(GLFW_KEY_S)},
+                .separator = true,
+                .run = [](CommandContext& c) { c.files.save(); }},
+        Command{.id = saveAs,
+                .tag = "save_as",
+                .menu = MenuId::file,
+                .name = "Save as…",
+                .chords = {controlShift(GLFW_KEY_S)},
+                .run = [](CommandContext& c) { c.files.saveAs(); }},
+        Command{.id = exportOctree,
+                .tag = "export_octree",
+                .menu = MenuId::file,
+                .name = "Export octree…",
+                .icon = icon::kExport,
+                .chords = {control(GLFW_KEY_E)},
+                .run = [](CommandContext& c) { c.files.exportOctree(); }},
+        Command{.id = openProfile,
+                .tag = "open_profile",
+                .menu = MenuId::file,
+                .name = "Open game profile…",
+                .separator = true,
+                .run = [](CommandContext& c) { c.files.openProfile(); }},
+        Command{.id = saveProfile,
+                .tag = "save_profile",
+                .menu = MenuId::file,
+                .name = "Save game profile",
+                .run = [](CommandContext& c) { c.files.saveProfile(); },
+                .enabled =
+                    [](const CommandContext& c) {
+                        return c.session.profilePath().has_value() && c.session.profileUnsaved();
+                    }},
+        Command{.id = saveProfileAs,
+                .tag = "save_profile_as",
+                .menu = MenuId::file,
+                .name = "Save game profile as…",
+                .run = [](CommandContext& c) { c.files.saveProfileAs(); }},
+        Command{.id = quit,
+                .tag = "quit",
+                .menu = MenuId::file,
+                .name = "Quit",
+                .chords = {control(GLFW_KEY_Q)},
+                .separator = true,
+                .run = [](CommandContext& c) { c.files.quit(); }},
+    };
+    return kCommands;
+}
+
+}  // namespace voxprite::editor

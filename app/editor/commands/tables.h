@@ -1,0 +1,17 @@
+// The tables of commands, one an area of the program, in the order of their menus.
+#pragma once
+
+#include <span>
+
+#include "app/editor/commands.h"
+
+namespace voxprite::editor {
+
+[[nodiscard]] std::span<const Command> fileCommands();
+[[nodiscard]] std::span<const Command> editCommands();
+[[nodiscard]] std::span<const Command> objectCommands();
+[[nodiscard]] std::span<const Command> toolCommands();
+[[nodiscard]] std::span<const Command> viewCommands();
+[[nodiscard]] std::span<const Command> helpCommands();
+
+}  // namespace voxprite::editor

@@ -1,0 +1,117 @@
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "app/editor/command_context.h"
+#include "app/editor/commands/tables.h"
+#include "app/editor/icons.h"
+#include "app/editor/sprite_viewport.h"
+#include "app/editor/voxel_viewport.h"
+
+namespace voxprite::editor {
+namespace {
+
+// From where both cameras look.
+template <int yawDegrees, int pitchDegrees>
+constexpr Command lookCommand(Command command) {
+    command.menu = MenuId::view;
+    command.run = [](CommandContext& c) {
+        for (OrbitCamera* camera : {&c.editView.camera(), &c.spriteView.camera()}) {
+            camera->yawDegrees = yawDegrees;
+            camera->pitchDegrees = pitchDegrees;
+        }
+    };
+    return command;
+}
+
+template <bool ViewSettings::*flag>
+constexpr Command switchCommand(Command command) {
+    command.menu = MenuId::view;
+    command.run = [](CommandContext& c) { c.settings.view.*flag = !(c.settings.view.*flag); };
+    command.on = [](const CommandContext& c) { return c.settings.view.*flag; };
+    return command;
+}
+
+template <ThemeKind kind>
+constexpr Command themeCommand(Command command) {
+    command.menu = MenuId::view;
+    command.run = [](CommandContext& c) { c.settings.window.theme = kind; };
+    command.on = [](const CommandContext& c) { return c.settings.window.theme == kind; };
+    return command;
+}
+
+}  // namespace
+
+std::span<const Command> viewCommands() {
+    using enum CommandId;
+    static constexpr std::array kCommands{
+        Command{.id = frameModel,
+                .tag = "frame_model",
+                .menu = MenuId::view,
+                .name = "Frame the model",
+                .icon = icon::kFit,
+                .chords = {key(GLFW_KEY_HOME)},
+                .run =
+                    [](CommandContext& c) {
+                        c.editView.frameModel(c.session);
+                        c.spriteView.frameModel(c.session);
+                    }},
+        lookCommand<0, 0>({.id = viewFront,
+                           .tag = "view_front",
+                           .name = "From the front",
+                           .chords = {key(GLFW_KEY_1)},
+                           .separator = true}),
+        lookCommand<180, 0>({.id = viewBack,
+                             .tag = "view_back",
+                             .name = "From the back",
+                             .chords = {control(GLFW_KEY_1)}}),
+        lookCommand<90, 0>({.id = viewRight,
+                            .tag = "view_right",
+                            .name = "From the right",
+                            .chords = {key(GLFW_KEY_3)}}),
+        lookCommand<-90, 0>({.id = viewLeft,
+                             .tag = "view_left",
+                             .name = "From the left",
+                             .chords = {control(GLFW_KEY_3)}}),
+        lookCommand<0, 90>(
+            {.id = viewTop, .tag = "view_top", .name = "From above", .chords = {key(GLFW_KEY_7)}}),
+        lookCommand<0, -90>({.id = viewBottom,
+                             .tag = "view_bottom",
+                             .name = "From below",
+                             .chords = {control(GLFW_KEY_7)}}),
+        switchCommand<&ViewSettings::lockCameras>({.id = toggleLockCameras,
+                                                   .tag = "lock_cameras",
+                                                   .name = "Lock the cameras together",
+                                                   .icon = icon::kLink,
+                                                   .chords = {shift(GLFW_KEY_L)},
+                                                   .separator = true}),
+        switchCommand<&ViewSettings::voxelEdges>(
+            {.id = toggleEdges, .tag = "voxel_edges", .name = "Voxel edges", .separator = true}),
+        switchCommand<&ViewSettings::editGround>(
+            {.id = toggleEditGround, .tag = "edit_ground", .name = "Grid under the model"}),
+        switchCommand<&ViewSettings::proxyBox>({.id = toggleProxyBox,
+                                                .tag = "proxy_box",
+                                                .name = "Proxy box",
+                                                .icon = icon::kWireframe,
+                                                .chords = {shift(GLFW_KEY_P)},
+                                                .separator = true}),
+        switchCommand<&ViewSettings::anchorMarker>({.id = toggleAnchorMarker,
+                                                    .tag = "anchor_marker",
+                                                    .name = "Anchor marker",
+                                                    .icon = icon::kAnchor,
+                                                    .chords = {key(GLFW_KEY_O)}}),
+        switchCommand<&ViewSettings::groundGrid>(
+            {.id = toggleGroundGrid, .tag = "ground_grid", .name = "Ground lines, one a metre"}),
+        switchCommand<&ViewSettings::shadow>(
+            {.id = toggleShadow, .tag = "shadow", .name = "Shadow in the game scene"}),
+        themeCommand<ThemeKind::dark>({.id = themeDark,
+                                       .tag = "theme_dark",
+                                       .name = "Dark theme",
+                                       .icon = icon::kDark,
+                                       .separator = true}),
+        themeCommand<ThemeKind::light>(
+            {.id = themeLight, .tag = "theme_light", .name = "Light theme", .icon = icon::kLight}),
+    };
+    return kCommands;
+}
+
+}  // namespace voxprite::editor
