@@ -45,6 +45,12 @@ void read(const Json& json, EditorSettings& settings) {
     readEnum(json, "mode", EditMode::paint, tool.mode);
     readEnum(json, "tool", ToolKind::socket, tool.tool);
     readEnum(json, "gizmo", GizmoKind::scale, tool.gizmo);
+    ToolOptions& options = tool.options;
+    readEnum(json, "tip", TipShape::disc, options.tip);
+    options.tipEdge = std::clamp(json.value("tip_edge", options.tipEdge), 1, kMaxTipEdge);
+    options.hollow = json.value("hollow", options.hollow);
+    readEnum(json, "neighbours", Neighbours::twentySix, options.neighbours);
+    options.sameColour = json.value("same_colour", options.sameColour);
     ViewSettings& view = settings.view;
     view.voxelEdges = json.value("voxel_edges", view.voxelEdges);
     view.editGround = json.value("edit_ground", view.editGround);
@@ -108,6 +114,12 @@ Status saveSettings(const std::filesystem::path& path, const EditorSettings& set
     json["mode"] = static_cast<int>(settings.tool.mode);
     json["tool"] = static_cast<int>(settings.tool.tool);
     json["gizmo"] = static_cast<int>(settings.tool.gizmo);
+    const ToolOptions& options = settings.tool.options;
+    json["tip"] = static_cast<int>(options.tip);
+    json["tip_edge"] = options.tipEdge;
+    json["hollow"] = options.hollow;
+    json["neighbours"] = static_cast<int>(options.neighbours);
+    json["same_colour"] = options.sameColour;
     json["voxel_edges"] = settings.view.voxelEdges;
     json["edit_ground"] = settings.view.editGround;
     json["proxy_box"] = settings.view.proxyBox;

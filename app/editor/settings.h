@@ -8,6 +8,7 @@
 
 #include "app/editor/keymap.h"
 #include "app/editor/theme.h"
+#include "app/editor/tools/tool_options.h"
 #include "core/base/result.h"
 #include "core/edit/patches.h"
 
@@ -40,6 +41,7 @@ struct ToolSettings {
     ToolKind tool = ToolKind::brush;
     ToolKind before = ToolKind::brush;  // where tools good for one click return to
     std::uint8_t colour = 1;
+    ToolOptions options;
     GizmoKind gizmo = GizmoKind::move;
 
     void choose(ToolKind chosen);

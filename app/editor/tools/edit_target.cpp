@@ -1,0 +1,97 @@
+#include "app/editor/tools/edit_target.h"
+
+namespace voxprite::editor {
+namespace {
+
+std::string objectName(const Document& document, int node) {
+    const std::string& name = document.nodes[static_cast<std::size_t>(node)].name;
+    return name.empty() ? "The object" : "\"" + name + "\"";
+}
+
+}  // namespace
+
+Result<EditTarget> EditTarget::at(const Session& session, EditMode mode, const Pick& pick) {
+    int node = session.activeNode();
+    if (mode != EditMode::attach) {
+        if (pick.ground) return fail("There is no voxel here");
+        node = session.nodeAt(pick.voxel);
+    }
+    if (node < 0) return fail("There is no object to edit: add one first");
+    if (session.document().nodes[static_cast<std::size_t>(node)].locked) {
+        return fail(objectName(session.document(), node) + " is locked");
+    }
+    for (const Instance& instance : session.instances()) {
+        if (instance.node != node) continue;
+        EditTarget target;
+        target.node_ = node;
+        target.model_ = instance.model;
+        target.modelFromEntity_ = instance.entityFromModel.inverse();
+        return target;
+    }
+    return fail(objectName(session.document(), node) + " is hidden");
+}
+
+int EditTarget::axisToModel(int axis) const {
+    glm::ivec3 direction(0);
+    direction[axis] = 1;
+    const glm::ivec3 turned = directionToModel(direction);
+    return turned.x != 0 ? 0 : turned.y != 0 ? 1 : 2;
+}
+
+const VoxelGrid& EditTarget::voxels(const Session& session) const {
+    return session.document().models[static_cast<std::size_t>(model_)].voxels;
+}
+
+Symmetry EditTarget::symmetry(const ToolOptions& options) const {
+    Symmetry inModel;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int from = modelFromEntity_.rotation.axis[static_cast<std::size_t>(axis)];
+        const int sign = modelFromEntity_.rotation.sign[static_cast<std::size_t>(axis)];
+        inModel.on[static_cast<std::size_t>(axis)] =
+            options.symmetry.on[static_cast<std::size_t>(from)];
+        inModel.planeDoubled[axis] =
+            sign * options.symmetry.planeDoubled[from] + 2 * modelFromEntity_.translation[axis];
+    }
+    return inModel;
+}
+
+EditLimits EditTarget::limits(const ToolOptions& options) const {
+    EditLimits limits;
+    if (options.limited) limits.box = modelFromEntity_.applyToBox(options.limits);
+    return limits;
+}
+
+VoxelPatch EditTarget::patch(const Session& session, std::span<const glm::ivec3> positions,
+                             EditMode mode, const ToolSettings& settings) const {
+    return patchVoxels(session.document(), model_, mirrored(positions, symmetry(settings.options)),
+                       mode, settings.colour, limits(settings.options));
+}
+
+Result<VoxelPatch> EditTarget::patch(const Session& session, const VoxelSet& set, EditMode mode,
+                                     const ToolSettings& settings) const {
+    const Symmetry images = symmetry(settings.options);
+    const EditLimits inside = limits(settings.options);
+    if (!images.any()) {
+        return patchSet(session.document(), model_, set, mode, settings.colour, inside);
+    }
+    return patchSet(session.document(), model_, mirrored(set, images), mode, settings.colour,
+                    inside);
+}
+
+std::string labelOf(EditMode mode, const char* noun) {
+    std::string label;
+    switch (mode) {
+        case EditMode::attach:
+            label = "Attach";
+            break;
+        case EditMode::erase:
+            label = "Erase";
+            break;
+        case EditMode::paint:
+            label = "Paint";
+            break;
+    }
+    return noun == nullptr ? label : label + " " + noun;
+}
+
+}  // namespace voxprite::editor

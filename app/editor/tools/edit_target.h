@@ -1,0 +1,54 @@
+// The object that a tool edits. Tools aim in entity space, where the artist sees things; objects
+// are edited in model space. This is the way from the one to the other, and every edit goes along
+// it, so that symmetry and limits hold for all tools alike.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "app/editor/picking.h"
+#include "app/editor/session.h"
+#include "app/editor/settings.h"
+#include "core/edit/patches.h"
+
+namespace voxprite::editor {
+
+class EditTarget {
+  public:
+    // Attaching goes to the active object, erasing and painting to the one that was hit. Fails when
+    // nothing can be edited there: no object, or a hidden or locked one.
+    [[nodiscard]] static Result<EditTarget> at(const Session& session, EditMode mode,
+                                               const Pick& pick);
+
+    [[nodiscard]] int node() const { return node_; }
+    [[nodiscard]] int model() const { return model_; }
+    [[nodiscard]] const Placement& modelFromEntity() const { return modelFromEntity_; }
+    [[nodiscard]] glm::ivec3 toModel(glm::ivec3 entityVoxel) const {
+        return modelFromEntity_.applyToVoxel(entityVoxel);
+    }
+    [[nodiscard]] glm::ivec3 directionToModel(glm::ivec3 direction) const {
+        return modelFromEntity_.rotation.apply(direction);
+    }
+    [[nodiscard]] int axisToModel(int axis) const;
+    [[nodiscard]] const VoxelGrid& voxels(const Session& session) const;
+
+    // The options' symmetry and limits, in model space.
+    [[nodiscard]] Symmetry symmetry(const ToolOptions& options) const;
+    [[nodiscard]] EditLimits limits(const ToolOptions& options) const;
+
+    // Patches of model-space voxels with all their mirror images, inside the limits.
+    [[nodiscard]] VoxelPatch patch(const Session& session, std::span<const glm::ivec3> positions,
+                                   EditMode mode, const ToolSettings& settings) const;
+    [[nodiscard]] Result<VoxelPatch> patch(const Session& session, const VoxelSet& set,
+                                           EditMode mode, const ToolSettings& settings) const;
+
+  private:
+    int node_ = -1;
+    int model_ = 0;
+    Placement modelFromEntity_;
+};
+
+// "Attach", "Erase", "Paint"; with a noun "Attach box".
+[[nodiscard]] std::string labelOf(EditMode mode, const char* noun = nullptr);
+
+}  // namespace voxprite::editor
