@@ -1,9 +1,9 @@
 // Every sample, from 200 random views and all axis, diagonal and isometric ones: the CPU and both
 // ways on the GPU give the same sprite buffer.
 //
-// Run as part of the suite, each view meets the next of the six sigmas. With
-// VOXPRITE_SWEEP=full in the environment every view meets every sigma (`./dev sweep`: about a
-// quarter of an hour on two cores).
+// Run as part of the suite, each view meets the next of the six sigmas and the next frame (and the
+// largest sample, whose sprites have millions of pixels, only some of the views). With
+// VOXPRITE_SWEEP=full in the environment every view meets every sigma (`./dev sweep`: long).
 #include <cstdlib>
 #include <filesystem>
 #include <string_view>
@@ -21,15 +21,31 @@ using test::must;
 
 const std::vector<double> kSigmas{1.0, 2.0, 3.0, 4.0, 7.5, 16.0};
 
-class SampleSweep : public test::GlTest, public testing::WithParamInterface<const char*> {};
+struct Sample {
+    const char* file;
+    std::size_t every = 1;  // of the views, as part of the suite
+};
+void PrintTo(const Sample& sample, std::ostream* out) {
+    *out << sample.file;
+}
+
+struct CastFrame {
+    Octree octree;
+    GpuOctree gpu;
+};
+
+class SampleSweep : public test::GlTest, public testing::WithParamInterface<Sample> {};
 
 TEST_P(SampleSweep, AllWaysGiveTheSameSpriteBuffer) {
+    const Sample& sample = GetParam();
     const std::filesystem::path path =
-        std::filesystem::path(VOXPRITE_SOURCE_DIR) / "samples" / GetParam();
+        std::filesystem::path(VOXPRITE_SOURCE_DIR) / "samples" / sample.file;
     const Document document = must(loadDocument(path)).document;
-    const Octree octree = must(bake(flatten(document, 0)));
-    GpuOctree gpu;
-    gpu.upload(octree.view());
+    std::vector<CastFrame> frames(static_cast<std::size_t>(frameCount(document)));
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+        frames[f].octree = must(bake(flatten(document, static_cast<int>(f))));
+        frames[f].gpu.upload(frames[f].octree.view());
+    }
     SceneRenderer renderer = must(SceneRenderer::create());
     const LitPalette lit = litPalette(document.palette, {255, 190, 120}, Outline{});
 
@@ -38,17 +54,19 @@ TEST_P(SampleSweep, AllWaysGiveTheSameSpriteBuffer) {
     const std::vector<OrbitAngles> views = test::allKindsOfViews(200, 2026);
     std::uint64_t opaque = 0;
     std::size_t next = 0;
-    for (const OrbitAngles& angles : views) {
+    for (std::size_t v = 0; v < views.size(); v += full ? 1 : sample.every) {
+        const OrbitAngles& angles = views[v];
         for (std::size_t k = 0; k < (full ? kSigmas.size() : 1); ++k) {
+            const CastFrame& frame = frames[next % frames.size()];
             const double sigma = kSigmas[next++ % kSigmas.size()];
             const LatticeView lattice =
-                must(quantiseView(test::orthoView(angles, sigma), octree.size));
-            const SpriteBuffer cpu = castSprite(octree.view(), lattice, lit);
+                must(quantiseView(test::orthoView(angles, sigma), frame.octree.size));
+            const SpriteBuffer cpu = castSprite(frame.octree.view(), lattice, lit);
             opaque += cpu.opaqueCount();
             for (const SpriteMode mode : {SpriteMode::spriteBuffer, SpriteMode::singlePass}) {
-                const SpriteBuffer gl = must(renderer.castBuffer(gpu, lattice, lit, mode));
+                const SpriteBuffer gl = must(renderer.castBuffer(frame.gpu, lattice, lit, mode));
                 ASSERT_EQ(gl.sha256(), cpu.sha256())
-                    << GetParam() << " at yaw " << angles.yawDegrees << ", pitch "
+                    << sample.file << " at yaw " << angles.yawDegrees << ", pitch "
                     << angles.pitchDegrees << ", roll " << angles.rollDegrees << ", sigma " << sigma
                     << ", mode " << static_cast<int>(mode);
                 ASSERT_EQ(gl.idsSha256(), cpu.idsSha256());
@@ -59,8 +77,10 @@ TEST_P(SampleSweep, AllWaysGiveTheSameSpriteBuffer) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, SampleSweep,
-                         testing::Values("knight.vox", "oak.vox", "cottage.vox", "truck.vox",
-                                         "letters.vox"));
+                         testing::Values(Sample{"knight.vox"}, Sample{"oak.vox"},
+                                         Sample{"cottage.vox"}, Sample{"truck.vox"},
+                                         Sample{"letters.vox"}, Sample{"walk.voxprite"},
+                                         Sample{"village.voxprite", 20}));
 
 }  // namespace
 }  // namespace voxprite
