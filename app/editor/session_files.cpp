@@ -1,7 +1,7 @@
 // The session's files: what opening and saving do to it.
 #include <algorithm>
 
-#include "app/editor/make_action.h"
+#include "core/edit/make_action.h"
 #include "app/editor/session.h"
 #include "core/io/formats.h"
 #include "core/io/profile_json.h"

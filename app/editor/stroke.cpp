@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/editor/make_action.h"
+#include "core/edit/make_action.h"
 
 namespace voxprite::editor {
 namespace {

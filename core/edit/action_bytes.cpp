@@ -22,6 +22,13 @@ std::size_t heapBytes(const Boxed<Palette>& palette) {
     std::size_t bytes = sizeof(Palette);
     for (const std::string& name : palette->names) bytes += heapBytes(name);
     for (const Properties& material : palette->materials) bytes += heapBytes(material);
+    for (const PaletteRamp& ramp : palette->ramps) {
+        bytes += sizeof(ramp) + heapBytes(ramp.name) + ramp.indices.capacity();
+    }
+    for (const PaletteVariant& variant : palette->variants) {
+        constexpr std::size_t kOverride = 48;  // a tree's node with its pair
+        bytes += sizeof(variant) + heapBytes(variant.name) + variant.overrides.size() * kOverride;
+    }
     return bytes;
 }
 
@@ -38,7 +45,19 @@ std::size_t heapBytes(const SceneState& scene) {
     for (const Layer& layer : scene.layers) {
         bytes += sizeof(layer) + heapBytes(layer.name) + heapBytes(layer.attributes);
     }
-    for (const Clip& clip : scene.clips) bytes += sizeof(clip) + heapBytes(clip.name);
+    for (const Clip& clip : scene.clips) {
+        bytes += sizeof(clip) + heapBytes(clip.name) +
+                 clip.durationsMilliseconds.capacity() * sizeof(int);
+    }
+    return bytes;
+}
+
+std::size_t heapBytes(const std::vector<Socket>& sockets) {
+    std::size_t bytes = 0;
+    for (const Socket& socket : sockets) {
+        bytes += sizeof(socket) + heapBytes(socket.name) +
+                 socket.positions.capacity() * sizeof(SocketKey);
+    }
     return bytes;
 }
 
@@ -56,6 +75,10 @@ std::size_t heapBytes(const EntityEdit& edit) {
 
 std::size_t heapBytes(const ProfileEdit&) {
     return 0;
+}
+
+std::size_t heapBytes(const SocketsEdit& edit) {
+    return heapBytes(edit.before) + heapBytes(edit.after);
 }
 
 std::size_t heapBytes(const SceneEdit& edit) {

@@ -11,8 +11,16 @@ namespace voxprite {
 
 namespace {
 
-SceneState sceneOf(const Document& document) {
-    return {document.nodes, document.layers, document.clips};
+// Do both look the same in every frame?
+bool showsTheSame(const SceneState& a, const SceneState& b) {
+    const auto sameLayer = [](const Layer& x, const Layer& y) { return x.hidden == y.hidden; };
+    const auto sameNode = [](const SceneNode& x, const SceneNode& y) {
+        return x.hidden == y.hidden && x.layer == y.layer && x.parent == y.parent &&
+               x.children == y.children && x.placements == y.placements && x.models == y.models &&
+               x.loopPlacements == y.loopPlacements && x.loopModels == y.loopModels;
+    };
+    return std::ranges::equal(a.layers, b.layers, sameLayer) &&
+           std::ranges::equal(a.nodes, b.nodes, sameNode);
 }
 
 void setScene(Document& document, const SceneState& scene) {
@@ -63,7 +71,8 @@ bool changesNothing(const Workspace&, const VoxelPatch& patch) {
     return patch.changes.empty();
 }
 
-// Palette, entity and profile are each one value in the workspace, with one mark in Changed.
+// Palette, entity, profile and sockets are each one value in the workspace, with one mark in
+// Changed.
 Palette& valueOf(Workspace& workspace, Changed& changed, const PaletteEdit&) {
     changed.palette = true;
     return workspace.document.palette;
@@ -75,6 +84,10 @@ Entity& valueOf(Workspace& workspace, Changed& changed, const EntityEdit&) {
 GameProfile& valueOf(Workspace& workspace, Changed& changed, const ProfileEdit&) {
     changed.profile = true;
     return workspace.profile;
+}
+std::vector<Socket>& valueOf(Workspace& workspace, Changed& changed, const SocketsEdit&) {
+    changed.sockets = true;
+    return workspace.document.sockets;
 }
 const Palette& contentOf(const Boxed<Palette>& palette) {
     return *palette;
@@ -113,14 +126,19 @@ bool recordBefore(Workspace& workspace, SceneEdit& edit) {
     return !(edit.before == edit.after) || !edit.addedModels.empty();
 }
 
+void noteScene(Changed& changed, const SceneEdit& edit, bool modelsChange) {
+    const bool seen = modelsChange || !showsTheSame(edit.before, edit.after);
+    (seen ? changed.scene : changed.notes) = true;
+}
+
 template <>
 void apply(Workspace& workspace, SceneEdit& edit, Changed& changed) {
     std::vector<Model>& models = workspace.document.models;
     VOXPRITE_CHECK(models.size() == edit.modelsBefore);
+    noteScene(changed, edit, !edit.addedModels.empty());
     std::move(edit.addedModels.begin(), edit.addedModels.end(), std::back_inserter(models));
     edit.addedModels.clear();
     setScene(workspace.document, edit.after);
-    changed.scene = true;
 }
 
 template <>
@@ -130,7 +148,7 @@ void revert(Workspace& workspace, SceneEdit& edit, Changed& changed) {
     std::move(firstAdded, models.end(), std::back_inserter(edit.addedModels));
     models.erase(firstAdded, models.end());
     setScene(workspace.document, edit.before);
-    changed.scene = true;
+    noteScene(changed, edit, !edit.addedModels.empty());
 }
 
 template <>
@@ -177,6 +195,10 @@ void mergeAction(const Workspace& workspace, Action& step, Action&& later) {
 }
 
 }  // namespace
+
+SceneState sceneOf(const Document& document) {
+    return {document.nodes, document.layers, document.clips};
+}
 
 Changed History::execute(Workspace& workspace, Action action) {
     Changed changed;

@@ -41,6 +41,9 @@ struct EntityEdit {
 struct ProfileEdit {
     GameProfile before, after;
 };
+struct SocketsEdit {
+    std::vector<Socket> before, after;
+};
 // The scene graph with its layers and clips; models themselves are only ever appended or, on undo,
 // removed again. `addedModels` stand behind the first modelsBefore of the document; while the step
 // is in force the document holds them and the list is empty.
@@ -50,13 +53,15 @@ struct SceneState {
     std::vector<Clip> clips;
     bool operator==(const SceneState&) const = default;
 };
+[[nodiscard]] SceneState sceneOf(const Document& document);
 struct SceneEdit {
     SceneState before, after;
     std::size_t modelsBefore = 0;
     std::vector<Model> addedModels;
 };
 
-using ActionPart = std::variant<VoxelPatch, PaletteEdit, EntityEdit, ProfileEdit, SceneEdit>;
+using ActionPart =
+    std::variant<VoxelPatch, PaletteEdit, EntityEdit, ProfileEdit, SocketsEdit, SceneEdit>;
 
 struct Action {
     std::string label;  // "Attach 12 voxels"; shown in the history panel
@@ -84,10 +89,12 @@ struct Changed {
     bool palette = false;
     bool entity = false;
     bool profile = false;
+    bool sockets = false;
     bool scene = false;  // placements, visibility, models: rebuild what depends on them
+    bool notes = false;  // of the scene, what no picture shows: names, locks, clips
 
     [[nodiscard]] bool any() const {
-        return !voxels.empty() || palette || entity || profile || scene;
+        return !voxels.empty() || palette || entity || profile || sockets || scene || notes;
     }
 };
 

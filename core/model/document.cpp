@@ -11,6 +11,8 @@ namespace voxprite {
 
 namespace {
 
+constexpr double kFarthestPoint = 1e7;  // of anchor and sockets, in voxels
+
 std::string nodeName(const Document& document, std::size_t index) {
     const std::string& name = document.nodes[index].name;
     return "node " + std::to_string(index) + (name.empty() ? "" : " (\"" + name + "\")");
@@ -23,19 +25,6 @@ bool isIndex(int index, std::size_t count) {
 std::string outOf(const char* what, int index, std::size_t count) {
     return std::string(what) + " " + std::to_string(index) + " does not exist; there are " +
            std::to_string(count);
-}
-
-Status validatePalette(const Palette& palette) {
-    if (palette.colours[0] != Rgba8(0)) {
-        return fail("palette.colours[0] must be transparent black: index 0 is empty");
-    }
-    std::array<bool, 256> shown{};
-    for (const std::uint8_t index : palette.displayOrder) shown[index] = true;
-    if (std::find(shown.begin(), shown.end(), false) != shown.end()) {
-        return fail("palette.displayOrder is not a permutation of 0..255");
-    }
-    if (palette.displayOrder[0] != 0) return fail("palette.displayOrder[0] must be 0");
-    return {};
 }
 
 bool boxIsInRange(const IBox& box) {
@@ -189,13 +178,39 @@ Status validateClip(const Clip& clip, std::size_t index, int frames) {
                     std::to_string(clip.last) + " are not within 0 ... " +
                     std::to_string(frames - 1));
     }
-    return checkRange(name + ": framesPerSecond", clip.framesPerSecond, 0.001, 1000.0);
+    if (Status s = checkRange(name + ": framesPerSecond", clip.framesPerSecond, 0.001, 1000.0);
+        !s) {
+        return s;
+    }
+    if (clip.durationsMilliseconds.empty()) return {};
+    if (clip.durationsMilliseconds.size() != static_cast<std::size_t>(clip.last - clip.first) + 1) {
+        return fail(name + ": it has not one duration a frame");
+    }
+    for (const int duration : clip.durationsMilliseconds) {
+        if (duration < 1 || duration > kMaxFrameMilliseconds) {
+            return fail(name + ": a frame of " + std::to_string(duration) +
+                        " ms; it must be 1 ... " + std::to_string(kMaxFrameMilliseconds));
+        }
+    }
+    return {};
 }
 
 Status checkPoint(const std::string& field, const glm::dvec3& point, double farthest) {
     for (int axis = 0; axis < 3; ++axis) {
         if (Status s = checkRange(field + "." + "xyz"[axis], point[axis], -farthest, farthest);
             !s) {
+            return s;
+        }
+    }
+    return {};
+}
+
+Status validateSocket(const Socket& socket, std::size_t index) {
+    const std::string name = "socket " + std::to_string(index) + " (\"" + socket.name + "\")";
+    if (socket.positions.empty()) return fail(name + ": it has no position");
+    if (Status s = validateFrames(socket.positions, name + ": positions"); !s) return s;
+    for (const SocketKey& key : socket.positions) {
+        if (Status s = checkPoint(name + ": position", key.positionVoxels, kFarthestPoint); !s) {
             return s;
         }
     }
@@ -219,7 +234,10 @@ Document Document::withEmptyModel() {
 Status validate(const Entity& entity) {
     constexpr double kFullTurns = 1e6;
     if (entity.anchorVoxels) {
-        if (Status s = checkPoint("entity.anchorVoxels", *entity.anchorVoxels, 1e7); !s) return s;
+        if (Status s = checkPoint("entity.anchorVoxels", *entity.anchorVoxels, kFarthestPoint);
+            !s) {
+            return s;
+        }
     }
     if (Status s = checkRange("entity.yawDegrees", entity.yawDegrees, -kFullTurns, kFullTurns);
         !s) {
@@ -239,7 +257,7 @@ Status validate(const Entity& entity) {
 
 Status validate(const Document& document) {
     if (document.nodes.empty()) return fail("there is no node; node 0 must be the root");
-    if (Status s = validatePalette(document.palette); !s) return s;
+    if (Status s = validate(document.palette); !s) return s;
     std::vector<IBox> modelBounds;
     for (std::size_t i = 0; i < document.models.size(); ++i) {
         modelBounds.push_back(document.models[i].voxels.bounds());
@@ -253,6 +271,9 @@ Status validate(const Document& document) {
     const int frames = frameCount(document);
     for (std::size_t i = 0; i < document.clips.size(); ++i) {
         if (Status s = validateClip(document.clips[i], i, frames); !s) return s;
+    }
+    for (std::size_t i = 0; i < document.sockets.size(); ++i) {
+        if (Status s = validateSocket(document.sockets[i], i); !s) return s;
     }
     if (Status s = checkVoxelSize("authored.voxelSizeMetres", document.authored.voxelSizeMetres);
         !s) {

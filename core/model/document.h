@@ -30,6 +30,7 @@ struct Model {
 
 // Frames run from 0 to at most kMaxFrames - 1.
 inline constexpr int kMaxFrames = 1 << 16;
+inline constexpr int kMaxFrameMilliseconds = 1'000'000;
 
 struct PlacementKey {
     int frame = 0;  // from here on, until the next key
@@ -84,7 +85,21 @@ struct Clip {
     int last = 0;
     double framesPerSecond = 8.0;
     bool loop = true;
+    // One for each frame, 1 ... 1,000,000, in place of framesPerSecond; or none.
+    std::vector<int> durationsMilliseconds;
     bool operator==(const Clip&) const = default;
+};
+
+// A named point of the entity (hand, muzzle, seat) where the game fastens things.
+struct SocketKey {
+    int frame = 0;                   // from here on, until the next key
+    glm::dvec3 positionVoxels{0.0};  // entity space, continuous
+    bool operator==(const SocketKey&) const = default;
+};
+struct Socket {
+    std::string name;
+    std::vector<SocketKey> positions = std::vector<SocketKey>(1);  // ascending frames, at least one
+    bool operator==(const Socket&) const = default;
 };
 
 // The thing that stands in the game. All of a document's visible objects make one entity.
@@ -118,6 +133,7 @@ struct Document {
     std::vector<KeptRecord> cameras;
     std::vector<KeptRecord> renderSettings;
     std::vector<Clip> clips;
+    std::vector<Socket> sockets;
     Entity entity;
     AuthoredValues authored;
 

@@ -88,6 +88,18 @@ int frameCount(const Document& document) {
     return last + 1;
 }
 
+const Placement& placementAt(const SceneNode& node, int frame) {
+    return keyAt(node.placements, frame, node.loopPlacements).placement;
+}
+
+int modelAt(const SceneNode& object, int frame) {
+    return keyAt(object.models, frame, object.loopModels).model;
+}
+
+glm::dvec3 positionAt(const Socket& socket, int frame) {
+    return keyAt(socket.positions, frame, false).positionVoxels;
+}
+
 std::vector<Instance> instancesOf(const Document& document, int frame, bool includeHidden) {
     struct Open {
         int node;
@@ -100,12 +112,8 @@ std::vector<Instance> instancesOf(const Document& document, int frame, bool incl
         open.pop_back();
         const SceneNode& node = document.nodes[static_cast<std::size_t>(index)];
         if (!includeHidden && isHidden(document, node)) continue;
-        const Placement entityFromNode =
-            entityFromParent * keyAt(node.placements, frame, node.loopPlacements).placement;
-        if (!node.isGroup()) {
-            const int model = keyAt(node.models, frame, node.loopModels).model;
-            instances.push_back({index, model, entityFromNode});
-        }
+        const Placement entityFromNode = entityFromParent * placementAt(node, frame);
+        if (!node.isGroup()) instances.push_back({index, modelAt(node, frame), entityFromNode});
         for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
             open.push_back({*child, entityFromNode});
         }
@@ -121,6 +129,27 @@ IBox entityBounds(const Document& document) {
     ModelBounds bounds(document);
     IBox box;
     for (const int frame : distinctFrames(document)) box = box.united(bounds.ofFrame(frame));
+    return box;
+}
+
+IBox nodeBounds(const Document& document, int node, int frame) {
+    struct Open {
+        int node;
+        Placement topFromParent;
+    };
+    IBox box;
+    std::vector<Open> open{{node, Placement{}}};
+    while (!open.empty()) {
+        const auto [index, topFromParent] = open.back();
+        open.pop_back();
+        const SceneNode& next = document.nodes[static_cast<std::size_t>(index)];
+        const Placement topFromNode = topFromParent * placementAt(next, frame);
+        if (!next.isGroup()) {
+            const auto model = static_cast<std::size_t>(modelAt(next, frame));
+            box = box.united(topFromNode.applyToBox(document.models[model].voxels.bounds()));
+        }
+        for (const int child : next.children) open.push_back({child, topFromNode});
+    }
     return box;
 }
 

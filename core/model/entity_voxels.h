@@ -20,6 +20,12 @@ struct Instance {
 // Frames of the document: one more than the last key of any node; at least 1.
 [[nodiscard]] int frameCount(const Document& document);
 
+// What holds in one frame: the last key not after it (before the first key that one); a looping
+// track starts again after its last key.
+[[nodiscard]] const Placement& placementAt(const SceneNode& node, int frame);
+[[nodiscard]] int modelAt(const SceneNode& object, int frame);
+[[nodiscard]] glm::dvec3 positionAt(const Socket& socket, int frame);
+
 // The instances of `frame` in drawing order (a later one wins where voxels overlap). Hidden nodes,
 // what lies under them, and hidden layers are left out, unless includeHidden.
 [[nodiscard]] std::vector<Instance> instancesOf(const Document& document, int frame,
@@ -29,6 +35,10 @@ struct Instance {
 // anchor and octree origin belong to these, so that nothing slides). Empty when there is no voxel.
 [[nodiscard]] IBox frameBounds(const Document& document, int frame);
 [[nodiscard]] IBox entityBounds(const Document& document);
+
+// The tight bounds of a node and all under it, hidden or not, in the space of its parent. Empty
+// when there is no voxel.
+[[nodiscard]] IBox nodeBounds(const Document& document, int node, int frame);
 
 // The anchor in force: the entity's own, or the bottom centre of `bounds` (the origin if empty).
 [[nodiscard]] glm::dvec3 anchorVoxels(const Entity& entity, const IBox& bounds);

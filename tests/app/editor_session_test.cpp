@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "app/editor/make_action.h"
-#include "app/editor/scene_edits.h"
+#include <array>
+
+#include "core/edit/make_action.h"
 #include "core/edit/patches.h"
+#include "core/edit/scene_edits.h"
 #include "core/io/formats.h"
 #include "core/io/profile_json.h"
 #include "core/svo/bake.h"
@@ -104,10 +106,10 @@ TEST(EditorSession, SceneEditsKeepTheDocumentValidAndUndo) {
     open(session, twistedDocument(), folder);
     const Document start = session.document();
     ASSERT_TRUE(session.perform(addObject(session.document(), "hat")));
-    ASSERT_TRUE(session.perform(duplicateObject(session.document(), 2)));
+    ASSERT_TRUE(session.perform(duplicateNode(session.document(), 2, Copy::own)));
     ASSERT_TRUE(session.perform(setHidden(session.document(), 1, true)));
     ASSERT_TRUE(session.perform(moveObject(session.document(), 3, {5, 5, 5}, 0)));
-    ASSERT_TRUE(session.perform(deleteNode(session.document(), 1)));
+    ASSERT_TRUE(session.perform(deleteNodes(session.document(), std::array{1})));
     ASSERT_TRUE(session.perform(rename(session.document(), 1, "left")));
     const Status valid = validate(session.document());
     EXPECT_TRUE(valid) << valid.error().describe();
@@ -130,7 +132,7 @@ TEST(EditorSession, ActiveObjectIsAlwaysAnObjectWhileThereIsOne) {
     EXPECT_FALSE(
         session.document().nodes[static_cast<std::size_t>(session.activeNode())].isGroup());
     for (int left = 3; left > 0; --left) {
-        ASSERT_TRUE(session.perform(deleteNode(session.document(), 1)));
+        ASSERT_TRUE(session.perform(deleteNodes(session.document(), std::array{1})));
     }
     EXPECT_EQ(session.activeNode(), -1);
     EXPECT_FALSE(session.activeInstance().has_value());

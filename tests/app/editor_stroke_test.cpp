@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/editor/make_action.h"
 #include "app/editor/orbit_camera.h"
-#include "app/editor/scene_edits.h"
+#include "core/edit/make_action.h"
+#include "core/edit/scene_edits.h"
 #include "tests/support/random.h"
 
 namespace voxprite::editor {

@@ -7,8 +7,8 @@
 
 #include "app/editor/icons.h"
 #include "app/editor/panels/panels.h"
-#include "app/editor/scene_edits.h"
 #include "app/editor/widgets.h"
+#include "core/edit/scene_edits.h"
 
 namespace voxprite::editor {
 namespace {

@@ -45,10 +45,6 @@ Action setColour(const Workspace& workspace, std::size_t index, Rgba8 colour) {
     return actionOf(edit);
 }
 
-SceneState sceneOf(const Document& document) {
-    return {document.nodes, document.layers, document.clips};
-}
-
 // Adds a model and an object that shows it.
 Action addModel(const Workspace& workspace, VoxelGrid voxels, std::uint64_t mergeKey = 0) {
     const Document& document = workspace.document;

@@ -5,7 +5,7 @@
 
 #include "core/edit/history.h"
 
-namespace voxprite::editor {
+namespace voxprite {
 
 // An action of one part.
 template <class Part>
@@ -17,4 +17,4 @@ template <class Part>
     return action;
 }
 
-}  // namespace voxprite::editor
+}  // namespace voxprite
