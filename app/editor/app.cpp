@@ -141,7 +141,7 @@ void App::drawDivider(Ui& ui, const Layout& layout) {
 }
 
 void App::drawDock(Ui& ui) {
-    constexpr std::array<const char*, 3> kTabs{"Palette", "Objects", "History"};
+    constexpr std::array<const char*, 4> kTabs{"Palette", "Objects", "History", "Scene"};
     const Theme& theme = ui.theme;
     DockTab& chosen = settings_.window.dockTab;
     for (std::size_t i = 0; i < kTabs.size(); ++i) {
@@ -171,6 +171,8 @@ void App::drawDock(Ui& ui) {
             return drawObjects(ui);
         case DockTab::history:
             return drawHistory(ui);
+        case DockTab::scene:
+            return drawScene(ui);
     }
 }
 

@@ -59,9 +59,10 @@ void read(const Json& json, EditorSettings& settings) {
     view.groundGrid = json.value("ground_grid", view.groundGrid);
     view.shadow = json.value("shadow", view.shadow);
     view.lockCameras = json.value("lock_cameras", view.lockCameras);
+    settings.scene = sceneSettingsFrom(json.value("scene", Json::object()));
     WindowSettings& window = settings.window;
     readEnum(json, "theme", ThemeKind::light, window.theme);
-    readEnum(json, "dock_tab", DockTab::history, window.dockTab);
+    readEnum(json, "dock_tab", DockTab::scene, window.dockTab);
     window.split = std::clamp(json.value("split", window.split), 0.15f, 0.85f);
     window.folder = json.value("folder", std::string());
     for (const Json& file : json.value("recent", Json::array())) {
@@ -127,6 +128,7 @@ Status saveSettings(const std::filesystem::path& path, const EditorSettings& set
     json["ground_grid"] = settings.view.groundGrid;
     json["shadow"] = settings.view.shadow;
     json["lock_cameras"] = settings.view.lockCameras;
+    json["scene"] = toJson(settings.scene);
     json["theme"] = static_cast<int>(settings.window.theme);
     json["dock_tab"] = static_cast<int>(settings.window.dockTab);
     json["split"] = settings.window.split;

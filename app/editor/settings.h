@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/editor/keymap.h"
+#include "app/editor/scene_settings.h"
 #include "app/editor/theme.h"
 #include "app/editor/tools/tool_options.h"
 #include "core/base/result.h"
@@ -34,7 +35,7 @@ enum class ToolKind : std::uint8_t {
     socket
 };
 enum class GizmoKind : std::uint8_t { none, move, rotate, scale };
-enum class DockTab : std::uint8_t { palette, objects, history };
+enum class DockTab : std::uint8_t { palette, objects, history, scene };
 
 struct ToolSettings {
     EditMode mode = EditMode::attach;  // what the drawing tools do to voxels
@@ -77,6 +78,7 @@ struct WindowSettings {
 struct EditorSettings {
     ToolSettings tool;
     ViewSettings view;
+    SceneSettings scene;
     WindowSettings window;
     Keymap keys;
     bool operator==(const EditorSettings&) const = default;

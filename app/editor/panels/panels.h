@@ -10,6 +10,7 @@ void drawInspector(Ui& ui);
 void drawPalette(Ui& ui);
 void drawObjects(Ui& ui);
 void drawHistory(Ui& ui);
+void drawScene(Ui& ui);
 void drawStatusBar(Ui& ui);
 // The bar at the top; returns a recent file that was chosen.
 [[nodiscard]] std::optional<std::filesystem::path> drawMenuBar(Ui& ui);
