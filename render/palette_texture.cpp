@@ -7,10 +7,8 @@ namespace voxprite {
 void PaletteTexture::set(const LitPalette& lit) {
     std::vector<Rgba8> pixels;
     pixels.reserve(3 * 256);
-    for (std::uint8_t axis = 0; axis < 3; ++axis) {
-        for (int material = 0; material < 256; ++material) {
-            pixels.push_back(lit.shade(static_cast<std::uint8_t>(material), axis));
-        }
+    for (const ShadedColours& face : lit.faces) {
+        pixels.insert(pixels.end(), face.begin(), face.end());
     }
     set(std::move(pixels));
 }

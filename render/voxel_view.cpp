@@ -144,17 +144,18 @@ void VoxelView::Impl::fillLook(VoxelViewBlock& block, const RootSpace& space,
 void VoxelView::Impl::setPalette(const Palette& colours, const RootSpace& space,
                                  const VoxelViewOptions& options) {
     const glm::dvec3 toward = space.voxelAxesFromWorld * options.light.towardLight;
+    PaletteShader shader(colours);
     std::vector<Rgba8> rows;
     for (const int side : {1, -1}) {
-        LitPalette lit = litPalette(colours, {255, 255, 255}, Outline{});
+        std::array<std::uint8_t, 3> light8{255, 255, 255};
+        // Rays that run down an axis see the face that looks up it.
         if (options.spriteLight) {
-            // Rays that run down an axis see the face that looks up it.
-            lit.light8 = faceLight(glm::ivec3(-side), toward, options.light.ambient);
+            light8 = faceLight(glm::ivec3(-side), toward, options.light.ambient);
         }
-        for (std::uint8_t axis = 0; axis < 3; ++axis) {
-            for (int material = 0; material < 256; ++material) {
-                rows.push_back(lit.shade(static_cast<std::uint8_t>(material), axis));
-            }
+        const Shading shading = options.spriteLight ? options.shading : Shading::multiply;
+        for (const std::uint8_t light : light8) {
+            const ShadedColours& face = shader.inLight(light, shading);
+            rows.insert(rows.end(), face.begin(), face.end());
         }
     }
     palette.set(std::move(rows));

@@ -23,6 +23,7 @@ struct VoxelViewOptions {
     // The sprite's own light instead of a softer one, in the same integers: each face is exactly
     // the colour that a sprite gives it (edges and occlusion apart).
     bool spriteLight = false;
+    Shading shading = Shading::multiply;  // of the sprite's light
     Rgba8 backgroundTop{58, 62, 70, 255};
     Rgba8 backgroundBottom{34, 36, 41, 255};
 };

@@ -15,4 +15,12 @@ Json textJson(const std::filesystem::path& path) {
     return textJson(path.string());
 }
 
+std::string warningLines(const Json& warnings) {
+    std::string text;
+    for (const Json& warning : warnings) {
+        text += "  warning: " + warning.get<std::string>() + '\n';
+    }
+    return text;
+}
+
 }  // namespace voxprite::cli

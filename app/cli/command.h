@@ -47,6 +47,8 @@ void addJsonFlag(CLI::App& app, Command& command);
 // A text for JSON: file names may hold any bytes.
 [[nodiscard]] Json textJson(const std::string& bytes);
 [[nodiscard]] Json textJson(const std::filesystem::path& path);
+// "  warning: ..." for each text of a list, a line each.
+[[nodiscard]] std::string warningLines(const Json& warnings);
 
 // Runs an Options-taking function when `sub` was chosen:
 //     auto options = std::make_shared<Options>(); ...; runs(sub, command, options, inspect);

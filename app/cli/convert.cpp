@@ -11,13 +11,14 @@ namespace {
 struct Options {
     std::string input, output;
     std::optional<std::string> profile;
+    std::optional<std::string> variant;
 };
 
 Result<Report> convert(const Options& options) {
     // Before any work: is the output of a kind that can be written?
     const Result<Format> format = formatOf(options.output);
     if (!format) throw CLI::ValidationError("--output", format.error().describe());
-    const Result<LoadedDocument> loaded = loadDocument(options.input);
+    const Result<LoadedDocument> loaded = loadSource(options.input, std::nullopt, options.variant);
     if (!loaded) return Failure(loaded.error());
     const Result<GameProfile> profile = profileForSaving(options.profile, loaded->document);
     if (!profile) return Failure(profile.error());
@@ -26,6 +27,9 @@ Result<Report> convert(const Options& options) {
     }
     Json warnings = Json::array();
     for (const std::string& warning : loaded->warnings) warnings.push_back(textJson(warning));
+    for (const std::string& loss : lossesOf(loaded->document, *format)) {
+        warnings.push_back(textJson(loss));
+    }
     const auto bytes = std::filesystem::file_size(options.output);
     Report report;
     report.json = {{"input", textJson(options.input)},
@@ -35,6 +39,7 @@ Result<Report> convert(const Options& options) {
                    {"bytes", bytes},
                    {"warnings", std::move(warnings)}};
     report.text = options.output + ": " + std::to_string(bytes) + " bytes\n";
+    report.text += warningLines(report.json["warnings"]);
     return report;
 }
 
@@ -51,6 +56,9 @@ void addConvert(CLI::App& app, Command& command) {
     sub.add_option("--profile", options->profile,
                    "The game profile (JSON) whose values are recorded as authored")
         ->type_name("FILE");
+    sub.add_option("--variant", options->variant,
+                   "The palette variant, by its name; its colours become the file's palette")
+        ->type_name("NAME");
     addJsonFlag(sub, command);
     runs(sub, command, options, convert);
 }

@@ -12,6 +12,7 @@ struct Options {
     std::string input, output;
     std::optional<std::string> profile;
     std::optional<int> model;
+    std::optional<std::string> variant;
 };
 
 Json modelJson(const SvoModel& model) {
@@ -28,7 +29,7 @@ Result<Report> exportSvo(const Options& options) {
     if (!format || *format != Format::svo) {
         throw CLI::ValidationError("--output", "the octree's file must end in .svo");
     }
-    const Result<LoadedDocument> loaded = loadSource(options.input, options.model);
+    const Result<LoadedDocument> loaded = loadSource(options.input, options.model, options.variant);
     if (!loaded) return Failure(loaded.error());
     const Result<GameProfile> profile = profileForSaving(options.profile, loaded->document);
     if (!profile) return Failure(profile.error());
@@ -44,15 +45,21 @@ Result<Report> exportSvo(const Options& options) {
     const Result<SvoFile> file = inFile(readSvo(*bytes), options.output);
     if (!file) return Failure(file.error());
 
+    Json warnings = Json::array();
+    for (const std::string& loss : lossesOf(loaded->document, Format::svo)) {
+        warnings.push_back(textJson(loss));
+    }
     Json models = Json::array();
     for (const SvoModel& model : file->models) models.push_back(modelJson(model));
     Report report;
     report.json = {{"input", textJson(options.input)}, {"output", textJson(options.output)},
                    {"bytes", bytes->size()},           {"models", std::move(models)},
-                   {"clips", file->clips.size()},      {"verified", true}};
+                   {"clips", file->clips.size()},      {"verified", true},
+                   {"warnings", std::move(warnings)}};
     report.text = options.output + ": " + std::to_string(bytes->size()) + " bytes, " +
                   std::to_string(file->models.size()) +
                   " model(s), read back and compared voxel by voxel\n";
+    report.text += warningLines(report.json["warnings"]);
     return report;
 }
 
@@ -68,6 +75,8 @@ void addExport(CLI::App& app, Command& command) {
     sub.add_option("--profile", options->profile,
                    "The game profile (JSON) whose values are recorded as authored")
         ->type_name("FILE");
+    sub.add_option("--variant", options->variant, "The palette variant, by its name")
+        ->type_name("NAME");
     addParsed(sub, "--model", "INDEX",
               "Only this source model, as `inspect` lists them (from 0), not the entity", indexFrom,
               [options](int model) { options->model = model; });

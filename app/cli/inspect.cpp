@@ -82,6 +82,15 @@ Json instancesJson(const Document& document, const std::vector<int>& models) {
     return instances;
 }
 
+Json paletteJson(const Palette& palette) {
+    Json variants = Json::array();
+    for (const PaletteVariant& variant : palette.variants) {
+        variants.push_back(
+            {{"name", textJson(variant.name)}, {"colours", variant.overrides.size()}});
+    }
+    return {{"variants", std::move(variants)}, {"ramps", palette.ramps.size()}};
+}
+
 std::string describe(const Json& json, const std::string& file) {
     std::ostringstream text;
     text << file << ": " << json["format"].get<std::string>() << ", " << json["models"].size()
@@ -101,9 +110,15 @@ std::string describe(const Json& json, const std::string& file) {
         if (model["frames"] > 1) text << "  (one of " << model["frames"] << " frames)";
         text << '\n';
     }
-    for (const Json& warning : json["warnings"]) {
-        text << "  warning: " << warning.get<std::string>() << '\n';
+    if (const Json& variants = json["palette"]["variants"]; !variants.empty()) {
+        text << "  palette variants:";
+        for (const Json& variant : variants) {
+            text << "  \"" << variant["name"].get<std::string>() << "\" (" << variant["colours"]
+                 << " colours)";
+        }
+        text << '\n';
     }
+    text << warningLines(json["warnings"]);
     return text.str();
 }
 
@@ -122,6 +137,7 @@ Result<Report> inspect(const Options& options) {
     report.json = {{"format", nameOf(loaded->format)},
                    {"models", std::move(models)},
                    {"instances", instancesJson(document, sources)},
+                   {"palette", paletteJson(document.palette)},
                    {"warnings", std::move(warnings)},
                    {"frames", frameCount(document)},
                    {"entity_size", sizeJson(bounds.empty() ? glm::ivec3(0) : bounds.size())}};

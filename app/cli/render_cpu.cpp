@@ -32,7 +32,7 @@ Image perspectiveImage(const Shot& shot) {
     Image image(shot.camera.viewportPx.x, shot.camera.viewportPx.y, shot.background);
     std::vector<float> depths(image.pixels.size(), 0.0f);
     parallelFor(image.height, 0, [&](int firstRow, int lastRow) {
-        LitPalette lit = litPalette(shot.palette, {255, 255, 255}, shot.profile.outline);
+        PaletteShader shader(shot.palette);
         for (int y = firstRow; y < lastRow; ++y) {
             for (int x = 0; x < image.width; ++x) {
                 const Camera::Ray ray = shot.camera.rayThrough(glm::dvec2(x, y) + 0.5);
@@ -47,9 +47,10 @@ Image perspectiveImage(const Shot& shot) {
                                            ray.direction * (t * shot.placed.metresPerVoxel());
                 depths[static_cast<std::size_t>(&image.at(x, y) - image.pixels.data())] =
                     shot.camera.reversedDepth(glm::dot(fromEye, shot.camera.forward));
-                lit.light8 = faceLight(glm::ivec3(glm::sign(direction)), towardLight,
-                                       shot.profile.light.ambient);
-                image.at(x, y) = lit.shade(hit.material, hit.faceAxis);
+                const auto light8 = faceLight(glm::ivec3(glm::sign(direction)), towardLight,
+                                              shot.profile.light.ambient);
+                image.at(x, y) =
+                    shader.inLight(light8[hit.faceAxis], shot.profile.shading)[hit.material];
             }
         }
     });

@@ -19,6 +19,7 @@ Result<Image> drawVoxels(const Shot& shot, const GpuOctree& octree) {
     options.edges = false;
     options.occlusion = false;
     options.spriteLight = true;
+    options.shading = shot.profile.shading;
     options.ground = false;
     options.light = shot.profile.light;
     Frame frame(shot.camera.viewportPx);

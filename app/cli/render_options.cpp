@@ -57,6 +57,9 @@ std::optional<ProxyShape> proxyFrom(std::string_view t) {
 std::optional<DepthRule> depthFrom(std::string_view t) {
     return optionalOf(depthRuleNamed(t));
 }
+std::optional<Shading> shadingFrom(std::string_view t) {
+    return optionalOf(shadingNamed(t));
+}
 
 // "auto" leaves the number open.
 struct AutoNumber {
@@ -102,6 +105,7 @@ void addEntityOptions(CLI::App& app, RenderOptions& o) {
         vectorFrom, o.anchorVoxels);
     add(app, "--rotate", "yaw,pitch,roll", "The entity's rotation in degrees", vectorFrom,
         o.rotateDegrees);
+    app.add_option("--variant", o.variant, "The palette variant, by its name")->type_name("NAME");
     add(app, "--scale", "NUMBER", "The entity's scale", numberFrom, o.scale);
     add(app, "--position", "x,y,z",
         "Where the anchor stands, metres, Y up (else the model's centre is at the origin)",
@@ -120,6 +124,8 @@ void addProfileOptions(CLI::App& app, RenderOptions& o) {
     add(app, "--proxy", "quad|box", "The region that is drawn", proxyFrom, o.proxy);
     add(app, "--depth", "centre|ground_safe|per_pixel", "The depth that the sprite writes",
         depthFrom, o.depth);
+    add(app, "--shading", "multiply|palette",
+        "Light multiplies the colours, or picks among the palette's", shadingFrom, o.shading);
     add(app, "--minification", "[on|off]", "Halve sigma while a virtual pixel is under a pixel",
         switchFrom, o.minification);
     add(app, "--clearance", "PIXELS", "Virtual pixels between the entity and the ground",

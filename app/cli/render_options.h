@@ -43,6 +43,7 @@ struct RenderOptions {
     std::optional<glm::dvec3> anchorVoxels;   // from the minimum corner of its bounds
     std::optional<glm::dvec3> rotateDegrees;  // yaw, pitch, roll
     std::optional<double> scale;
+    std::optional<std::string> variant;        // of the palette
     std::optional<glm::dvec3> positionMetres;  // of the anchor; else the centre is at the origin
 
     // The profile, where it is not as its file or the built-in one has it.
@@ -51,6 +52,7 @@ struct RenderOptions {
     std::optional<Registration> registration;
     std::optional<ProxyShape> proxy;
     std::optional<DepthRule> depth;
+    std::optional<Shading> shading;
     std::optional<bool> minification;
 
     // The scene.

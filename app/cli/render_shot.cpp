@@ -41,6 +41,7 @@ Result<GameProfile> profileOf(const RenderOptions& options) {
     overrideBy(options.registration, profile.registration);
     overrideBy(options.proxy, profile.proxy);
     overrideBy(options.depth, profile.depth);
+    overrideBy(options.shading, profile.shading);
     overrideBy(options.clearancePx, profile.groundClearancePx);
     overrideBy(options.minification, profile.minification);
     overrideBy(options.viewStepDegrees, profile.viewStepDegrees);
@@ -114,7 +115,7 @@ Status castGivenLattice(Shot& shot, const std::string& path) {
         glm::transpose(shot.placed.worldFromVoxelAxes) * shot.profile.light.towardLight;
     shot.lit =
         litPalette(shot.palette, faceLight(shot.lattice.D, towardLight, shot.profile.light.ambient),
-                   shot.profile.outline);
+                   shot.profile.outline, shot.profile.shading);
     return {};
 }
 
@@ -126,7 +127,8 @@ Status viewFromCamera(Shot& shot) {
     shot.sigmaInForce = shot.view ? shot.view->sigmaInForce : shot.profile.sigma;
     if (shot.view) {
         shot.lattice = shot.view->lattice;
-        shot.lit = litPalette(shot.palette, shot.view->light8, shot.profile.outline);
+        shot.lit =
+            litPalette(shot.palette, shot.view->light8, shot.profile.outline, shot.profile.shading);
     }
     return {};
 }
@@ -135,7 +137,7 @@ Status viewFromCamera(Shot& shot) {
 
 Result<Shot> makeShot(const RenderOptions& options, Times& times) {
     Stopwatch watch;
-    Result<LoadedDocument> loaded = loadSource(options.input, options.model);
+    Result<LoadedDocument> loaded = loadSource(options.input, options.model, options.variant);
     if (!loaded) return Failure(loaded.error());
     times.emplace_back("load", watch.lapMilliseconds());
 

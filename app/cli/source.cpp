@@ -13,6 +13,21 @@ Document onlyModel(Document document, int model) {
     return single;
 }
 
+Status chooseVariant(Palette& palette, const std::string& name) {
+    const std::optional<std::size_t> variant = palette.variantNamed(name);
+    if (!variant) {
+        std::string known;
+        for (const PaletteVariant& each : palette.variants) {
+            known += (known.empty() ? "" : ", ") + each.name;
+        }
+        return fail("there is no palette variant \"" + name + "\"" +
+                    (known.empty() ? "; the file has none" : " (there are: " + known + ")"));
+    }
+    palette = palette.withVariant(*variant);
+    palette.variants.clear();
+    return {};
+}
+
 }  // namespace
 
 std::vector<int> sourceModels(const Document& document) {
@@ -23,8 +38,14 @@ std::vector<int> sourceModels(const Document& document) {
     return models;
 }
 
-Result<LoadedDocument> loadSource(const std::filesystem::path& path, std::optional<int> model) {
+Result<LoadedDocument> loadSource(const std::filesystem::path& path, std::optional<int> model,
+                                  const std::optional<std::string>& variant) {
     Result<LoadedDocument> loaded = loadDocument(path);
+    if (loaded && variant) {
+        if (Status chosen = chooseVariant(loaded->document.palette, *variant); !chosen) {
+            return Failure(inFile(std::move(chosen), path.string()).error());
+        }
+    }
     if (!loaded || !model) return loaded;
     const std::vector<int> models = sourceModels(loaded->document);
     if (*model < 0 || *model >= static_cast<int>(models.size())) {

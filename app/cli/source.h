@@ -14,9 +14,11 @@ namespace voxprite::cli {
 // them and --model N counts them, from 0.
 [[nodiscard]] std::vector<int> sourceModels(const Document& document);
 
-// The document of a file; with `model`, only that source model, without its placement.
-[[nodiscard]] Result<LoadedDocument> loadSource(const std::filesystem::path& path,
-                                                std::optional<int> model);
+// The document of a file; with `model`, only that source model, without its placement; with
+// `variant`, in the colours of that palette variant, which are then the palette's only ones.
+[[nodiscard]] Result<LoadedDocument> loadSource(
+    const std::filesystem::path& path, std::optional<int> model,
+    const std::optional<std::string>& variant = std::nullopt);
 
 // The profile of `path`; without one the built-in profile with the values that the document was
 // authored with (what goes into files that record them).

@@ -96,6 +96,25 @@ Result<LoadedDocument> loadDocument(const std::filesystem::path& path) {
     return inFile(readAs(*format, *bytes), path.string());
 }
 
+std::vector<std::string> lossesOf(const Document& document, Format format) {
+    std::vector<std::string> losses;
+    if (format == Format::voxprite) return losses;
+    const std::string where = std::string(".") + nameOf(format);
+    const Palette& palette = document.palette;
+    if (!palette.variants.empty()) {
+        std::string names;
+        for (const PaletteVariant& variant : palette.variants) {
+            names += (names.empty() ? "" : ", ") + variant.name;
+        }
+        losses.push_back(where + " holds one palette: the variants are left out (" + names + ")");
+    }
+    if (!palette.ramps.empty()) {
+        losses.push_back(where + " has no colour ramps: " + std::to_string(palette.ramps.size()) +
+                         " left out");
+    }
+    return losses;
+}
+
 Status saveDocument(const std::filesystem::path& path, const Document& document,
                     const GameProfile& profile) {
     const Result<Format> format = formatOf(path);

@@ -23,6 +23,8 @@ struct LoadedDocument {
 [[nodiscard]] const char* nameOf(Format format);
 // Errors name the file, the place in it and the reason. Nothing is half loaded.
 [[nodiscard]] Result<LoadedDocument> loadDocument(const std::filesystem::path& path);
+// What writing the document in this format leaves out, one sentence each; none for .voxprite.
+[[nodiscard]] std::vector<std::string> lossesOf(const Document& document, Format format);
 // Atomic. For .svo this is the verified export: the bytes are read back and compared voxel by voxel
 // before the file appears under its name.
 [[nodiscard]] Status saveDocument(const std::filesystem::path& path, const Document& document,

@@ -25,6 +25,8 @@ constexpr std::array kProxyShapes{Named{ProxyShape::quad, "quad"}, Named{ProxySh
 constexpr std::array kDepthRules{Named{DepthRule::centre, "centre"},
                                  Named{DepthRule::groundSafe, "ground_safe"},
                                  Named{DepthRule::perPixel, "per_pixel"}};
+constexpr std::array kShadings{Named{Shading::multiply, "multiply"},
+                               Named{Shading::palette, "palette"}};
 
 template <class E, std::size_t N>
 const char* nameIn(const std::array<Named<E>, N>& table, E value) {
@@ -81,6 +83,7 @@ GameProfile profileFromJson(const nlohmann::ordered_json& json) {
         light.read("towardLight", profile.light.towardLight);
         light.refuseUnknown();
     }
+    readNamed(object, "shading", profile.shading, shadingNamed);
     object.refuseUnknown();
     return profile;
 }
@@ -99,6 +102,9 @@ const char* nameOf(ProxyShape value) {
 const char* nameOf(DepthRule value) {
     return nameIn(kDepthRules, value);
 }
+const char* nameOf(Shading value) {
+    return nameIn(kShadings, value);
+}
 
 Result<ViewRule> viewRuleNamed(std::string_view name) {
     return valueIn(kViewRules, name);
@@ -111,6 +117,9 @@ Result<ProxyShape> proxyShapeNamed(std::string_view name) {
 }
 Result<DepthRule> depthRuleNamed(std::string_view name) {
     return valueIn(kDepthRules, name);
+}
+Result<Shading> shadingNamed(std::string_view name) {
+    return valueIn(kShadings, name);
 }
 
 Result<GameProfile> readProfile(std::string_view text) {
@@ -139,6 +148,7 @@ std::string writeProfile(const GameProfile& profile) {
          {{"enabled", profile.outline.enabled}, {"colour", colourText(profile.outline.colour)}}},
         {"light",
          {{"ambient", profile.light.ambient}, {"towardLight", {light.x, light.y, light.z}}}},
+        {"shading", nameOf(profile.shading)},
     };
     return json.dump(2) + "\n";
 }

@@ -46,6 +46,18 @@ Json placementJson(const Placement& placement) {
     return {{"rotation", std::move(rotation)}, {"translation", vectorJson(placement.translation)}};
 }
 
+Json rampJson(const PaletteRamp& ramp) {
+    return {{"name", textJson(ramp.name)}, {"indices", ramp.indices}};
+}
+
+Json variantJson(const PaletteVariant& variant) {
+    Json overrides = Json::object();
+    for (const auto& [index, colour] : variant.overrides) {
+        overrides[std::to_string(index)] = colourText(colour);
+    }
+    return {{"name", textJson(variant.name)}, {"overrides", std::move(overrides)}};
+}
+
 Json paletteJson(const Palette& palette) {
     Json colours = Json::array();
     for (const Rgba8 colour : palette.colours) colours.push_back(colourText(colour));
@@ -57,10 +69,13 @@ Json paletteJson(const Palette& palette) {
             materials[std::to_string(k)] = propertiesJson(palette.materials[k]);
         }
     }
-    return {{"colours", std::move(colours)},
-            {"names", std::move(names)},
-            {"materials", std::move(materials)},
-            {"displayOrder", palette.displayOrder}};
+    Json json{{"colours", std::move(colours)},
+              {"names", std::move(names)},
+              {"materials", std::move(materials)},
+              {"displayOrder", palette.displayOrder}};
+    if (!palette.ramps.empty()) json["ramps"] = listJson(palette.ramps, rampJson);
+    if (!palette.variants.empty()) json["variants"] = listJson(palette.variants, variantJson);
+    return json;
 }
 
 Json entityJson(const Entity& entity) {
@@ -186,6 +201,29 @@ std::size_t paletteIndexFrom(const std::string& key, const JsonValue& value) {
     return static_cast<std::size_t>(index);
 }
 
+PaletteRamp rampFrom(const JsonValue& value) {
+    JsonObject object(value);
+    PaletteRamp ramp;
+    object.read("name", ramp.name);
+    for (const JsonValue& index : object.need("indices").list()) {
+        ramp.indices.push_back(static_cast<std::uint8_t>(index.integer(1, 255)));
+    }
+    object.refuseUnknown();
+    return ramp;
+}
+
+PaletteVariant variantFrom(const JsonValue& value) {
+    JsonObject object(value);
+    PaletteVariant variant;
+    variant.name = object.need("name").text();
+    for (const auto& [key, colour] : object.need("overrides").members()) {
+        variant.overrides[static_cast<std::uint8_t>(paletteIndexFrom(key, colour))] =
+            colour.colour();
+    }
+    object.refuseUnknown();
+    return variant;
+}
+
 Palette paletteFrom(const JsonValue& value) {
     JsonObject object(value);
     Palette palette;
@@ -200,6 +238,10 @@ Palette paletteFrom(const JsonValue& value) {
     const std::vector<JsonValue> order = object.need("displayOrder").list(256);
     for (std::size_t k = 0; k < 256; ++k) {
         palette.displayOrder[k] = static_cast<std::uint8_t>(order[k].integer(0, 255));
+    }
+    if (const auto ramps = object.find("ramps")) palette.ramps = listFrom(*ramps, rampFrom);
+    if (const auto variants = object.find("variants")) {
+        palette.variants = listFrom(*variants, variantFrom);
     }
     object.refuseUnknown();
     return palette;

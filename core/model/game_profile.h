@@ -19,6 +19,9 @@ enum class Registration : std::uint8_t { modelCentre, anchor };
 enum class ProxyShape : std::uint8_t { quad, box };
 // The depth a sprite writes.
 enum class DepthRule : std::uint8_t { centre, groundSafe, perPixel };
+// What light does to a colour: multiplies it, or picks another of the palette's, so that a sprite
+// has only the artist's colours (core/sprite/palette_shading.h).
+enum class Shading : std::uint8_t { multiply, palette };
 
 struct Outline {
     bool enabled = true;
@@ -46,6 +49,7 @@ struct GameProfile {
     double viewStepDegrees = 0.0;  // views snap to this step; 0 is off; at most 45
     Outline outline;
     Light light;
+    Shading shading = Shading::multiply;
     bool operator==(const GameProfile&) const = default;
 };
 

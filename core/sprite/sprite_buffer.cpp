@@ -1,8 +1,6 @@
 #include "core/sprite/sprite_buffer.h"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 
 #include "core/base/bytes.h"
 #include "core/base/hash.h"
@@ -30,37 +28,6 @@ std::uint64_t countWhere(const std::vector<std::uint32_t>& ids, auto matches) {
 }
 
 }  // namespace
-
-Rgba8 LitPalette::shade(std::uint8_t material, std::uint8_t faceAxis) const {
-    const Rgba8 colour = colours[material];
-    const unsigned light = light8[faceAxis];
-    const auto lit = [light](unsigned channel) {
-        return static_cast<std::uint8_t>((channel * light + 127u) / 255u);
-    };
-    return {lit(colour.x), lit(colour.y), lit(colour.z), 255};
-}
-
-LitPalette litPalette(const Palette& palette, std::array<std::uint8_t, 3> light8,
-                      const Outline& outline) {
-    return {palette.colours, light8, outline};
-}
-
-std::array<std::uint8_t, 3> faceLight(glm::ivec3 direction, glm::dvec3 towardLight,
-                                      double ambient) {
-    // Scaled first: the square of a huge or tiny length has no double.
-    const double largest =
-        std::max({std::abs(towardLight.x), std::abs(towardLight.y), std::abs(towardLight.z)});
-    const glm::dvec3 toward =
-        largest > 0.0 ? glm::normalize(towardLight / largest) : glm::dvec3(0.0);
-    std::array<std::uint8_t, 3> light8{};
-    for (int axis = 0; axis < 3; ++axis) {
-        const int normal = direction[axis] > 0 ? -1 : direction[axis] < 0 ? 1 : 0;
-        const double light = ambient + (1.0 - ambient) * std::max(0.0, normal * toward[axis]);
-        light8[static_cast<std::size_t>(axis)] =
-            static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(light, 0.0, 1.0)));
-    }
-    return light8;
-}
 
 void dilateOutline(SpriteBuffer& buffer, Rgba8 colour) {
     const auto opaque = [&](int column, int row) {

@@ -1,5 +1,7 @@
 #include "core/sprite/sprite_key.h"
 
+#include <algorithm>
+
 namespace voxprite {
 
 namespace {
@@ -45,39 +47,59 @@ std::size_t hashOf(const SpriteKey& key) {
     return hash.value();
 }
 
-std::size_t hashOf(const LitPalette& lit) {
-    Hash hash;
-    for (const Rgba8 colour : lit.colours) hash.add(colour);
-    hash.add(glm::ivec3(lit.light8[0], lit.light8[1], lit.light8[2]));
-    hash.add(lit.outline.colour);
-    hash.add(lit.outline.enabled ? 1 : 0);
-    return hash.value();
-}
-
-std::size_t LitPalettes::SeenHash::operator()(const Seen& seen) const {
-    Hash hash;
-    hash.add(reinterpret_cast<std::uintptr_t>(seen.palette));
-    hash.add(glm::ivec3(seen.light8[0], seen.light8[1], seen.light8[2]));
-    return hash.value();
-}
-
 void LitPalettes::beginFrame() {
-    // What is forgotten is given a new number should it come again.
-    constexpr std::size_t kMostKept = 4096;
-    if (numbers_.size() > kMostKept) numbers_.clear();
+    if (kept_ > 2 * used_ + kSpare) forgetUnused();
     thisFrame_.clear();
+    used_ = 0;
+    ++frame_;
+}
+
+void LitPalettes::forgetUnused() {
+    std::erase_if(sources_, [&](const Source& source) { return source.usedInFrame != frame_; });
+    kept_ = 0;
+    for (Source& source : sources_) {
+        std::erase_if(source.lit,
+                      [&](const auto& entry) { return entry.second.usedInFrame != frame_; });
+        kept_ += source.lit.size();
+    }
+}
+
+LitPalettes::Source& LitPalettes::sourceOf(const Palette& palette) {
+    Source*& known = thisFrame_[&palette];
+    if (known != nullptr) return *known;
+    const auto same = std::find_if(sources_.begin(), sources_.end(), [&](const Source& source) {
+        return source.shader.isOf(palette);
+    });
+    known =
+        same != sources_.end()
+            ? &*same
+            : &sources_.emplace_back(Source{PaletteShader(palette), ++lastContent_, frame_, {}});
+    known->usedInFrame = frame_;
+    return *known;
+}
+
+std::uint64_t LitPalettes::contentOf(const Palette& palette) {
+    return sourceOf(palette).content;
 }
 
 LitPalettes::Numbered LitPalettes::of(const Palette& palette, std::array<std::uint8_t, 3> light8,
-                                      const Outline& outline) {
-    const auto [seen, isNew] = thisFrame_.try_emplace({&palette, light8});
-    if (isNew) {
-        const auto [entry, first] =
-            numbers_.try_emplace(litPalette(palette, light8, outline), last_ + 1);
-        if (first) ++last_;
-        seen->second = {entry->second, &entry->first};
+                                      const Outline& outline, Shading shading) {
+    Source& source = sourceOf(palette);
+    const Rgba8 ink = outline.colour;
+    std::uint64_t key = outline.enabled ? 1 : 0;
+    for (const std::uint8_t byte : {light8[0], light8[1], light8[2], ink.x, ink.y, ink.z}) {
+        key = key << 8 | byte;
     }
-    return seen->second;
+    key = key << 1 | static_cast<std::uint64_t>(shading);
+    Lit& lit = source.lit[key];
+    if (lit.number == 0) {
+        lit.number = ++lastNumber_;
+        lit.palette = litPalette(source.shader, light8, outline, shading);
+        ++kept_;
+    }
+    if (lit.usedInFrame != frame_) ++used_;
+    lit.usedInFrame = frame_;
+    return {lit.number, &lit.palette};
 }
 
 }  // namespace voxprite

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <list>
 #include <unordered_map>
 
 #include "core/sprite/sprite_buffer.h"
@@ -21,14 +22,8 @@ struct SpriteKey {
 };
 
 [[nodiscard]] std::size_t hashOf(const SpriteKey& key);
-[[nodiscard]] std::size_t hashOf(const LitPalette& lit);
 
 }  // namespace voxprite
-
-template <>
-struct std::hash<voxprite::LitPalette> {
-    std::size_t operator()(const voxprite::LitPalette& lit) const { return voxprite::hashOf(lit); }
-};
 
 template <>
 struct std::hash<voxprite::SpriteKey> {
@@ -37,31 +32,49 @@ struct std::hash<voxprite::SpriteKey> {
 
 namespace voxprite {
 
-// Gives lit palettes numbers, so that a crowd compares and hashes a number instead of 256 colours:
-// equal palettes have equal numbers, and no number ever stands for two palettes.
+// Gives lit palettes numbers, so that a crowd compares and hashes a number instead of 3 x 256
+// colours: the same palette in the same light has the same number, and no number ever stands for
+// two. Bounded by twice what one frame uses and kSpare more: what the last frame did not use may be
+// forgotten and, should it come again, is worked out and numbered anew.
 class LitPalettes {
   public:
+    static constexpr std::size_t kSpare = 1024;
+
     struct Numbered {
         std::uint64_t number = 0;
         const LitPalette* lit = nullptr;  // until the next beginFrame
     };
-    // Until the next call neither the palettes nor the outline that are passed to `of` change.
+    // Until the next call the palettes that are passed below change neither place nor content.
     void beginFrame();
     [[nodiscard]] Numbered of(const Palette& palette, std::array<std::uint8_t, 3> light8,
-                              const Outline& outline);
+                              const Outline& outline, Shading shading = Shading::multiply);
+    // Equal for palettes that are shaded alike (PaletteShader::isOf), and never given to another.
+    [[nodiscard]] std::uint64_t contentOf(const Palette& palette);
+    [[nodiscard]] std::size_t kept() const { return kept_; }
 
   private:
-    struct Seen {
-        const Palette* palette;
-        std::array<std::uint8_t, 3> light8;
-        bool operator==(const Seen&) const = default;
+    struct Lit {
+        std::uint64_t number = 0;
+        std::uint64_t usedInFrame = 0;
+        LitPalette palette;
     };
-    struct SeenHash {
-        std::size_t operator()(const Seen& seen) const;
+    struct Source {
+        PaletteShader shader;
+        std::uint64_t content;
+        std::uint64_t usedInFrame;
+        // By the lights of the three faces, the shading and the outline, packed.
+        std::unordered_map<std::uint64_t, Lit> lit;
     };
-    std::unordered_map<LitPalette, std::uint64_t> numbers_;
-    std::unordered_map<Seen, Numbered, SeenHash> thisFrame_;
-    std::uint64_t last_ = 0;
+    [[nodiscard]] Source& sourceOf(const Palette& palette);
+    void forgetUnused();
+
+    std::list<Source> sources_;  // a list: their places in memory stay
+    std::unordered_map<const Palette*, Source*> thisFrame_;
+    std::uint64_t frame_ = 1;
+    std::size_t used_ = 0;  // lit palettes, in this frame
+    std::size_t kept_ = 0;
+    std::uint64_t lastNumber_ = 0;
+    std::uint64_t lastContent_ = 0;
 };
 
 }  // namespace voxprite

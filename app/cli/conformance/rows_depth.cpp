@@ -109,7 +109,7 @@ double hiddenPercent(const Subject& subject, const Camera& camera, DepthRule rul
     const PlacedEntity entity = subject.centredAt(glm::dvec3(0.0), profile);
     const SpriteView view = seen(entity, camera, profile);
     LitPalette lit;
-    lit.colours.fill(red);
+    lit.faces = LitPalette::allFaces(red);
     lit.outline.colour = red;
     const SpriteBuffer buffer = castSprite(subject.octree.view(), view.lattice, lit);
     const std::array<CompositeSprite, 1> sprites{CompositeSprite{&view, &buffer, nullptr}};

@@ -103,10 +103,12 @@ TEST(CameraForward, ClockwiseRollTurnsThePictureTheOtherWay) {
 
 TEST(SpriteBuffer, HashesOfATinySpriteWorkedOutByHand) {
     const Subject subject = test::solidBox({1, 1, 1});
-    LitPalette lit;
-    lit.colours[1] = Rgba8(200, 100, 50, 77);
-    lit.light8 = {10, 128, 20};  // the -Y face is seen: 200 * 128 / 255 = 100.4 and so on
-    lit.outline.colour = Rgba8(1, 2, 3, 255);
+    Palette palette;
+    palette.colours[1] = Rgba8(200, 100, 50, 77);
+    Outline outline;
+    outline.colour = Rgba8(1, 2, 3, 255);
+    // The -Y face is seen: 200 * 128 / 255 = 100.4 and so on.
+    const LitPalette lit = litPalette(palette, {10, 128, 20}, outline);
     const SpriteBuffer buffer =
         castSprite(subject.octree.view(), viewOf(subject, {}, 1.0).lattice, lit);
     ASSERT_EQ(buffer.size, glm::ivec2(3, 3));
@@ -125,8 +127,9 @@ TEST(SpriteBuffer, HashesOfATinySpriteWorkedOutByHand) {
 // An id per pixel is enough to say again what colour it has: the palette's, lit by one of three.
 TEST(SpriteBuffer, ColoursAreTheVoxelsLitByOneOfThreeFaces) {
     const Subject subject = test::figure();
-    LitPalette lit = plainPalette();
-    lit.light8 = {91, 173, 240};
+    const std::array<std::uint8_t, 3> light8{91, 173, 240};
+    const Palette palette = test::plainColours();
+    const LitPalette lit = plainPalette(light8);
     const SpriteBuffer buffer =
         castSprite(subject.octree.view(), viewOf(subject, {35, 25, 0}, 3.0).lattice, lit);
     std::array<bool, 3> used{};
@@ -137,10 +140,10 @@ TEST(SpriteBuffer, ColoursAreTheVoxelsLitByOneOfThreeFaces) {
             ASSERT_EQ(buffer.colours[at], lit.outline.colour);
         } else {
             const glm::ivec3 voxel = test::voxelOf(buffer.ids[at], subject.octree.size);
-            const Rgba8 plain = lit.colours[materialAt(subject.octree.view(), voxel)];
+            const Rgba8 plain = palette.colours[materialAt(subject.octree.view(), voxel)];
             bool found = false;
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                const int light = lit.light8[axis];
+                const int light = light8[axis];
                 const Rgba8 expected((plain.x * light + 127) / 255, (plain.y * light + 127) / 255,
                                      (plain.z * light + 127) / 255, 255);
                 if (buffer.colours[at] == expected) found = used[axis] = true;

@@ -77,13 +77,18 @@ Subject letterBlock() {
     });
 }
 
-LitPalette plainPalette() {
-    LitPalette lit;
+Palette plainColours() {
+    Palette palette;
     for (int index = 1; index < 256; ++index)
-        lit.colours[static_cast<std::size_t>(index)] =
+        palette.colours[static_cast<std::size_t>(index)] =
             Rgba8(index, (index * 37) % 255, 255 - index, 255);
-    lit.outline.colour = Rgba8(250, 0, 250, 255);
-    return lit;
+    return palette;
+}
+
+LitPalette plainPalette(std::array<std::uint8_t, 3> light8) {
+    Outline outline;
+    outline.colour = Rgba8(250, 0, 250, 255);
+    return litPalette(plainColours(), light8, outline);
 }
 
 SpriteView mustView(const PlacedEntity& entity, const Camera& camera, const GameProfile& profile,

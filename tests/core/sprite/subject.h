@@ -1,6 +1,7 @@
 // What the tests of this folder look at: small models, placed with a game profile, and cameras.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
@@ -34,7 +35,8 @@ Subject figure();
 Subject letterBlock();
 
 // Colours that differ from each other and from black, white and transparent.
-LitPalette plainPalette();
+Palette plainColours();
+LitPalette plainPalette(std::array<std::uint8_t, 3> light8 = {255, 255, 255});
 
 // viewSprite, where failure and not being seen fail the test.
 SpriteView mustView(const PlacedEntity& entity, const Camera& camera, const GameProfile& profile,
@@ -55,7 +57,7 @@ glm::dvec2 pixelAt(const SpriteView& view, const Camera& camera, glm::dvec2 scre
 // Every material and the outline in one colour: a sprite that is a silhouette.
 [[nodiscard]] inline LitPalette paint(Rgba8 colour) {
     LitPalette lit;
-    lit.colours.fill(colour);
+    lit.faces = LitPalette::allFaces(colour);
     lit.outline.colour = colour;
     return lit;
 }
