@@ -12,13 +12,24 @@ constexpr double kDegreesPerPx = 0.4;
 constexpr double kZoomPerNotch = 0.87;
 constexpr double kMinDistance = 1e-4;
 constexpr double kMaxDistance = 1e9;
+// Without perspective the eye can stand back where nothing of a model is behind it.
+constexpr double kParallelStandoff = 4096.0;
+
+// Half of what a view shows, a metre away.
+double halfHeightPerMetre() {
+    return std::tan(kViewFovDegrees * 0.5 * std::acos(-1.0) / 180.0);
+}
 
 }  // namespace
 
 Camera OrbitCamera::camera(glm::ivec2 viewportPx) const {
-    Camera camera =
-        orbitCamera({yawDegrees, pitchDegrees, 0.0}, target, distance, kViewFovDegrees, viewportPx);
+    const double eyeDistance =
+        orthographic ? std::max(4.0 * distance, kParallelStandoff) : distance;
+    Camera camera = orbitCamera({yawDegrees, pitchDegrees, 0.0}, target, eyeDistance,
+                                kViewFovDegrees, viewportPx);
     camera.nearMetres = distance * 1e-3;
+    camera.orthographic = orthographic;
+    camera.orthographicHeightMetres = 2.0 * distance * halfHeightPerMetre();
     return camera;
 }
 
@@ -31,6 +42,13 @@ void OrbitCamera::pan(glm::dvec2 movedPx, glm::ivec2 viewportPx) {
     const Camera now = camera(viewportPx);
     const double step = now.metresPerScreenPx(distance);
     target += (-movedPx.x * now.right + movedPx.y * now.up) * step;
+}
+
+void OrbitCamera::lookFrom(glm::dvec3 toward) {
+    const double level = std::hypot(toward.x, toward.y), degrees = 180.0 / std::acos(-1.0);
+    pitchDegrees = std::atan2(toward.z, level) * degrees;
+    yawDegrees = level > 0.0 ? std::atan2(toward.x, -toward.y) * degrees
+                             : 90.0 * std::round(yawDegrees / 90.0);
 }
 
 void OrbitCamera::zoom(double notches, glm::dvec2 pointerPx, glm::ivec2 viewportPx) {
@@ -54,12 +72,12 @@ void OrbitCamera::frame(std::span<const glm::dvec3> points, double air, glm::ive
     target = (least + most) * 0.5;
     const Camera now = camera(viewportPx);
     const glm::dvec2 size = glm::max(glm::dvec2(viewportPx), glm::dvec2(1.0));
-    const double up = std::tan(kViewFovDegrees * 0.5 * std::acos(-1.0) / 180.0) / (1.0 + air);
+    const double up = halfHeightPerMetre() / (1.0 + air);
     const double across = up * size.x / size.y;
     double needed = kMinDistance;
     for (const glm::dvec3 point : points) {
         const glm::dvec3 from = point - target;
-        const double depth = glm::dot(from, now.forward);
+        const double depth = orthographic ? 0.0 : glm::dot(from, now.forward);
         needed = std::max({needed, std::abs(glm::dot(from, now.right)) / across - depth,
                            std::abs(glm::dot(from, now.up)) / up - depth});
     }

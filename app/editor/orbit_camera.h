@@ -14,6 +14,8 @@ struct OrbitCamera {
     double yawDegrees = 30.0;
     double pitchDegrees = 20.0;  // -90 ... 90
     double distance = 10.0;      // from the target, 1e-4 ... 1e9
+    // Without perspective; what lies at the target's depth is as large as with it.
+    bool orthographic = false;
 
     bool operator==(const OrbitCamera&) const = default;
 
@@ -21,6 +23,9 @@ struct OrbitCamera {
     // The picture follows the pointer, moved by so many pixels.
     void orbit(glm::dvec2 movedPx);
     void pan(glm::dvec2 movedPx, glm::ivec2 viewportPx);
+    // So that the eye is at `toward` from the target, in voxel axes; straight from above or below
+    // the yaw stays as near to what it is as a picture with level edges allows.
+    void lookFrom(glm::dvec3 toward);
     // Positive notches come nearer. What lies under the pointer at the target's depth stays there.
     void zoom(double notches, glm::dvec2 pointerPx, glm::ivec2 viewportPx);
     // What the points enclose fills the view, but for a share of air; the direction stays.

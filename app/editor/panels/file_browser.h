@@ -13,12 +13,12 @@ namespace voxprite::editor {
 class FileBrowser {
   public:
     struct Request {
-        std::string title;                    // "Open a model"
-        std::string button;                   // "Open"
-        bool saving = false;                  // else the file must exist
-        std::vector<std::string> extensions;  // ".vox", ...; the first is added when saving
-        std::filesystem::path folder;         // where to start
-        std::string name;                     // suggested
+        std::string title{};                    // "Open a model"
+        std::string button{};                   // "Open"
+        bool saving = false;                    // else the file must exist
+        std::vector<std::string> extensions{};  // ".vox", ...; the first is added when saving
+        std::filesystem::path folder{};         // where to start
+        std::string name{};                     // suggested
     };
     void open(Request request);
     [[nodiscard]] bool isOpen() const { return open_; }
