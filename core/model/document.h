@@ -86,7 +86,7 @@ struct Clip {
     double framesPerSecond = 8.0;
     bool loop = true;
     // One for each frame, 1 ... 1,000,000, in place of framesPerSecond; or none.
-    std::vector<int> durationsMilliseconds;
+    std::vector<int> durationsMilliseconds{};
     bool operator==(const Clip&) const = default;
 };
 

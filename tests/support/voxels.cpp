@@ -189,6 +189,8 @@ Document busyDocument() {
     addGroup(document, 0, "empty group", {{0, {}}});
 
     document.clips = {Clip{"walk", 0, 3, 12.5, true}, Clip{"stop", 4, 4, 1.0, false}};
+    document.sockets = {Socket{"hand", {{0, {1.5, -20.25, 7.0}}}},
+                        Socket{"muzzle", {{0, {3.0, 4.0, 5.5}}, {2, {4.0, 4.0, 5.5}}}}};
     document.entity.name = "busy";
     document.entity.anchorVoxels = glm::dvec3(1.5, -2.25, 0.0);
     document.entity.yawDegrees = 30.0;

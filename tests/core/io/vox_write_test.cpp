@@ -35,6 +35,7 @@ Document readBack(const Document& document) {
 // What .vox has no words for; see vox.h.
 Document withoutWhatVoxLacks(Document document) {
     document.clips.clear();
+    document.sockets.clear();
     document.entity = {};
     document.authored = {};
     return document;
