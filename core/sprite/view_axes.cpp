@@ -15,7 +15,9 @@ constexpr double kParallel = 1e-6;
 // smallest move of the camera turns the picture by any angle.
 constexpr double kNearPole = 0.01;
 
-constexpr double kSnapMargin = 0.1;  // of a step
+// Of a step: so far past the middle between two steps an angle keeps the old one.
+constexpr double kSnapMargin = 0.1;
+constexpr double kMostSnapMargin = 1.0;
 
 // `side` made perpendicular to `forward`, if that leaves enough of it.
 std::optional<glm::dvec3> perpendicular(glm::dvec3 side, glm::dvec3 forward) {
@@ -36,6 +38,13 @@ glm::dvec3 rightOf(const PlacedEntity& entity, const Camera& camera, glm::dvec3 
             return *kept;
     if (auto fromCamera = perpendicular(camera.right, forward)) return *fromCamera;
     return glm::normalize(glm::cross(forward, camera.up));
+}
+
+// The yaw of the view from straight above (or below) that is nearest to these axes.
+double headingAtPole(const glm::dmat3& voxelAxes, bool above) {
+    const glm::dvec3 right = voxelAxes[0];
+    const glm::dvec3 up = above ? voxelAxes[1] : -voxelAxes[1];
+    return glm::degrees(std::atan2(right.y - up.x, right.x + up.y));
 }
 
 glm::dmat3 voxelAxesOf(const OrbitAngles& angles) {
@@ -77,21 +86,30 @@ OrbitAngles orbitAnglesOf(const glm::dmat3& voxelAxes) {
 }
 
 glm::dmat3 snapAxes(const glm::dmat3& voxelAxes, double stepDegrees, ViewHistory* history) {
-    const OrbitAngles angles = orbitAnglesOf(voxelAxes);
-    const glm::dvec3 exact =
-        glm::dvec3(angles.yawDegrees, angles.pitchDegrees, angles.rollDegrees) / stepDegrees;
-    glm::ivec3 steps{0};
-    for (int axis = 0; axis < 3; ++axis) {
-        steps[axis] = static_cast<int>(std::lround(exact[axis]));
-        if (history == nullptr || !history->snappedSteps) continue;
+    const double stepsPer45 = std::max(1.0, std::round(45.0 / stepDegrees));
+    const auto degreesOf = [&](int steps) { return steps * 45.0 / stepsPer45; };
+    const std::optional<glm::ivec3> before =
+        history != nullptr ? history->snappedSteps : std::nullopt;
+    const auto snapped = [&](double degrees, int axis, double margin) {
+        const auto nearest = static_cast<int>(std::lround(degrees * stepsPer45 / 45.0));
+        if (!before) return nearest;
         // The shorter way round, for yaw and roll.
-        const int before = (*history->snappedSteps)[axis];
-        const double turn = std::remainder((exact[axis] - before) * stepDegrees, 360.0);
-        if (std::abs(turn) <= (0.5 + kSnapMargin) * stepDegrees) steps[axis] = before;
-    }
+        const double turn = std::remainder(degrees - degreesOf((*before)[axis]), 360.0);
+        return std::abs(turn) <= (0.5 + margin) * degreesOf(1) ? (*before)[axis] : nearest;
+    };
+
+    OrbitAngles angles = orbitAnglesOf(voxelAxes);
+    // The nearer to the pole, the more a move of the eye turns the picture.
+    const double towardPole = std::hypot(voxelAxes[2].x, voxelAxes[2].y);
+    const double margin = std::min(kSnapMargin / towardPole, kMostSnapMargin);
+    const int pitch = snapped(angles.pitchDegrees, 1, kSnapMargin);
+    // Seen from the pole yaw and roll are one turn: apart, each would have a step of its own.
+    if (std::abs(degreesOf(pitch)) == 90.0)
+        angles = {headingAtPole(voxelAxes, pitch > 0), degreesOf(pitch), 0.0};
+    const glm::ivec3 steps{snapped(angles.yawDegrees, 0, margin), pitch,
+                           snapped(angles.rollDegrees, 2, margin)};
     if (history != nullptr) history->snappedSteps = steps;
-    return voxelAxesOf({steps.x * stepDegrees, std::clamp(steps.y * stepDegrees, -90.0, 90.0),
-                        steps.z * stepDegrees});
+    return voxelAxesOf({degreesOf(steps.x), degreesOf(steps.y), degreesOf(steps.z)});
 }
 
 }  // namespace voxprite

@@ -14,8 +14,16 @@ namespace voxprite {
 // The orbit angles (in degrees) whose orbitBasis, taken to voxel space, is `voxelAxes`.
 [[nodiscard]] OrbitAngles orbitAnglesOf(const glm::dmat3& voxelAxes);
 
-// The axes nearest to `voxelAxes` whose yaw, pitch and roll are multiples of the step. With a
-// history an angle stays until it is past the middle between two steps by a tenth of a step.
+// The axes near `voxelAxes` whose yaw, pitch and roll are multiples of the step; straight from
+// above or below there is no roll. The step is the one nearest to `stepDegrees` that divides 45
+// degrees, so that views along axes and diagonals are among the snapped ones, and the circle has no
+// seam.
+//
+// With a history an angle stays until it is past the middle between two steps by a tenth of a step;
+// yaw and roll by more toward the poles (a tenth of the way that the eye goes), at most by a step.
+// So what is shown is always one of the snapped views, and which one depends on the history only
+// within that band. An eye that trembles about the model by a twentieth of a step never changes the
+// picture, up to 84 degrees of pitch; nearer to the pole the picture itself turns with the eye.
 [[nodiscard]] glm::dmat3 snapAxes(const glm::dmat3& voxelAxes, double stepDegrees,
                                   ViewHistory* history);
 
