@@ -1,6 +1,7 @@
 #include "core/edit/patches.h"
 
 #include "core/base/check.h"
+#include "core/edit/patch_builder.h"
 #include "core/edit/voxel_changes.h"
 
 namespace voxprite {
@@ -40,11 +41,11 @@ void forEachPosition(const IBox& box, const Visit& visit) {
 }  // namespace
 
 VoxelPatch patchVoxels(const Document& document, int model, std::span<const glm::ivec3> positions,
-                       EditMode mode, std::uint8_t value) {
+                       EditMode mode, std::uint8_t value, const EditLimits& limits) {
     VoxelPatch patch{model, {}};
     const VoxelGrid::Reader reader(voxelsOf(document, model));
     for (const glm::ivec3 position : positions) {
-        if (!isInVoxelRange(position)) continue;
+        if (!isInVoxelRange(position) || !limits.allow(position)) continue;
         const std::uint8_t before = reader.get(position);
         addChange(patch, position, before, valueAfter(before, mode, value));
     }
@@ -73,6 +74,26 @@ VoxelPatch patchBox(const Document& document, int model, const IBox& requested, 
     }
     patch.changes = uniqueChanges(std::move(patch.changes));
     return patch;
+}
+
+Result<VoxelPatch> patchSet(const Document& document, int model, const VoxelSet& set, EditMode mode,
+                            std::uint8_t value, const EditLimits& limits) {
+    PatchBuilder builder(document, model, limits);
+    // Only what is solid can be erased or painted: go through whichever is smaller.
+    const bool throughModel =
+        mode != EditMode::attach && cubeCount(builder.voxels()) < cubeCount(set.grid());
+    const Result<std::vector<glm::ivec3>> cubes =
+        cubesOf(throughModel ? builder.voxels() : set.grid());
+    if (!cubes) return tl::unexpected(cubes.error());
+    for (const glm::ivec3 origin : *cubes) {
+        const CubeBytes members = cubeBytes(set.grid(), origin);
+        CubeBytes values = builder.before(origin);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (members[i] != 0) values[i] = valueAfter(values[i], mode, value);
+        }
+        builder.set(origin, values);
+    }
+    return builder.finish();
 }
 
 }  // namespace voxprite

@@ -2,9 +2,9 @@
 // of 512 voxels at a time (bits in words), so that a solid model of 256 cubed takes milliseconds.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <vector>
 
 #include "core/base/result.h"
@@ -24,20 +24,22 @@ struct RegionRule {
     bool operator==(const RegionRule&) const = default;
 };
 
+// A region that spreads over more cubes of 8 than this is refused with an error: the whole of a
+// solid model of 1024 cubed would be twice as many.
+inline constexpr std::size_t kMaxRegionBlocks = std::size_t{1} << 20;
+
 // The solid voxels connected to `seed`; empty when `seed` is.
-[[nodiscard]] VoxelSet connectedRegion(const VoxelGrid& voxels, glm::ivec3 seed,
-                                       const RegionRule& rule);
+[[nodiscard]] Result<VoxelSet> connectedRegion(const VoxelGrid& voxels, glm::ivec3 seed,
+                                               const RegionRule& rule);
 
 // The solid voxels around `seed` that lie in its layer across the axis of `normal` (a unit step of
 // one axis) and whose face that way is exposed, connected within that layer. Empty when the face of
 // `seed` is not exposed.
-[[nodiscard]] VoxelSet faceRegion(const VoxelGrid& voxels, glm::ivec3 seed, glm::ivec3 normal,
-                                  const RegionRule& rule);
+[[nodiscard]] Result<VoxelSet> faceRegion(const VoxelGrid& voxels, glm::ivec3 seed,
+                                          glm::ivec3 normal, const RegionRule& rule);
 
 // The empty voxels connected to `seed` within its layer across `axis` (by faces), bounded by solid
-// voxels and by `limits`. Empty when `seed` is solid or outside the limits. Fails when the part of
-// the layer within the limits has more than kMaxPlaneVoxels voxels.
-inline constexpr std::int64_t kMaxPlaneVoxels = std::int64_t{1} << 24;
+// voxels and by `limits`. Empty when `seed` is solid or outside the limits.
 [[nodiscard]] Result<VoxelSet> planeRegion(const VoxelGrid& voxels, glm::ivec3 seed, int axis,
                                            const IBox& limits);
 

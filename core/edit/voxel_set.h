@@ -32,9 +32,9 @@ class VoxelSet {
     void insert(glm::ivec3 v);
     void insert(const IBox& box);
     void erase(glm::ivec3 v);
-    // The cube of 8 at `origin`, a multiple of 8: members are those whose byte is not 0, in the
-    // order of VoxelBlock. What was there before is replaced.
-    void setBlock(glm::ivec3 origin, const std::uint8_t* voxels);
+    // Of the cube of 8 at `origin`, a multiple of 8: those voxels whose byte is not 0, in the order
+    // of VoxelBlock.
+    void insertBlock(glm::ivec3 origin, const std::uint8_t* voxels);
 
     // Cost: the blocks of the operands.
     void unite(const VoxelSet& other);

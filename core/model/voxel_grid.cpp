@@ -104,8 +104,9 @@ void forEachVoxelOfCube(glm::ivec3 origin, int edge, const Visit& visit) {
                 [&](glm::ivec3 part) { forEachVoxelOfCube(part, edge / kBranching, visit); });
 }
 
-// Edge of the cube around a position that is stored as one value.
-int uniformEdgeAt(const ConstReader& reader, const openvdb::Coord& position) {
+// Edge of the cube around a position that is stored as one value. `reader`: a tree or accessor.
+template <class Reader>
+int uniformEdgeAt(const Reader& reader, const openvdb::Coord& position) {
     switch (reader.getValueDepth(position)) {
         case 3:
             return 1;
@@ -200,17 +201,17 @@ void VoxelGrid::fill(const IBox& box, std::uint8_t value) {
 }
 
 void VoxelGrid::setBlock(glm::ivec3 origin, const std::uint8_t* voxels) {
-    VOXPRITE_CHECK(isInVoxelRange(origin) && origin % kLeafEdge == glm::ivec3(0));
-    impl_->writer.clear();
-    const bool empty = std::all_of(voxels, voxels + kLeafVoxels, [](auto v) { return v == 0; });
+    VOXPRITE_CHECK(isInVoxelRange(origin) && (origin & (kLeafEdge - 1)) == glm::ivec3(0));
+    Leaf::NodeMaskType solid;
+    for (openvdb::Index n = 0; n < kLeafVoxels; ++n) solid.set(n, voxels[n] != 0);
     const openvdb::Coord position = coord(origin);
-    if (empty && impl_->tree.probeConstLeaf(position) == nullptr &&
-        impl_->tree.getValue(position) == 0) {
+    if (solid.isOff() && impl_->writer.probeConstLeaf(position) == nullptr &&
+        impl_->writer.getValue(position) == 0) {
         return;  // nothing must not grow the tree
     }
-    Leaf* leaf = impl_->tree.touchLeaf(position);
+    Leaf* leaf = impl_->writer.touchLeaf(position);
     std::memcpy(leaf->buffer().data(), voxels, kLeafVoxels);
-    for (openvdb::Index n = 0; n < kLeafVoxels; ++n) leaf->setActiveState(n, voxels[n] != 0);
+    leaf->setValueMask(solid);
 }
 
 void VoxelGrid::clear() {
@@ -242,6 +243,13 @@ IBox VoxelGrid::bounds() const {
     openvdb::CoordBBox box;
     if (!impl_->tree.evalActiveVoxelBoundingBox(box)) return {};
     return {vector(box.min()), vector(box.max()) + 1};
+}
+
+VoxelBlock VoxelGrid::blockAt(glm::ivec3 v) const {
+    const openvdb::Coord position = coord(v);
+    if (const Leaf* leaf = impl_->tree.probeConstLeaf(position)) return blockFromLeaf(*leaf);
+    const int edge = uniformEdgeAt(impl_->tree, position);
+    return {v & ~(edge - 1), edge, impl_->tree.getValue(position), nullptr};
 }
 
 void VoxelGrid::forEachBlock(const std::function<void(const VoxelBlock&)>& visit) const {
@@ -287,12 +295,6 @@ VoxelGrid::Reader::~Reader() = default;
 
 std::uint8_t VoxelGrid::Reader::get(glm::ivec3 v) const {
     return impl_->reader.getValue(coord(v));
-}
-
-VoxelBlock VoxelGrid::Reader::blockAt(glm::ivec3 v) const {
-    const openvdb::Coord position = coord(v);
-    if (const Leaf* leaf = impl_->reader.probeConstLeaf(position)) return blockFromLeaf(*leaf);
-    return {v & ~(kLeafEdge - 1), kLeafEdge, impl_->reader.getValue(position), nullptr};
 }
 
 }  // namespace voxprite

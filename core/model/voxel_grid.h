@@ -19,10 +19,10 @@ inline constexpr int kMaxCoordinate = 1 << 24;
     return inRange(v.x) && inRange(v.y) && inRange(v.z);
 }
 
-// A cube of voxels handed out by forEachBlock, aligned to its edge, a power of eight. When `voxels`
-// is null every voxel in the cube is `uniformValue` (never 0); else edgeVoxels is 8 and the value
-// at origin + (x, y, z) is voxels[(x << 6) | (y << 3) | z]. `voxels` points into the grid itself
-// and stays valid until the grid next changes.
+// A cube of voxels handed out by forEachBlock or blockAt, aligned to its edge, a power of eight.
+// When `voxels` is null every voxel in the cube is `uniformValue` (never 0); else edgeVoxels is 8
+// and the value at origin + (x, y, z) is voxels[(x << 6) | (y << 3) | z]. `voxels` points into the
+// grid itself and stays valid until the grid next changes.
 struct VoxelBlock {
     glm::ivec3 origin{0};
     int edgeVoxels = 8;
@@ -46,8 +46,7 @@ class VoxelGrid {
     void set(glm::ivec3 v, std::uint8_t value);
     // Sparse: whole blocks inside the box cost one entry.
     void fill(const IBox& box, std::uint8_t value);
-    // Replaces the cube of 8 at `origin`, a multiple of 8, by 512 values in the order of
-    // VoxelBlock.
+    // Replaces the cube of 8 at `origin`, a multiple of 8, by 512 values in VoxelBlock's order.
     void setBlock(glm::ivec3 origin, const std::uint8_t* voxels);
     void clear();
 
@@ -57,6 +56,8 @@ class VoxelGrid {
     // The tight box around the solid voxels; an empty box when there are none. O(blocks).
     [[nodiscard]] IBox bounds() const;
 
+    // The block that holds `v`, as it is stored; here uniformValue may be 0.
+    [[nodiscard]] VoxelBlock blockAt(glm::ivec3 v) const;
     // Every block that holds solid voxels, in a fixed order that depends on the voxels alone.
     void forEachBlock(const std::function<void(const VoxelBlock&)>& visit) const;
     // Every solid voxel, in that order.
@@ -74,8 +75,6 @@ class VoxelGrid {
         Reader(const Reader&) = delete;
         Reader& operator=(const Reader&) = delete;
         [[nodiscard]] std::uint8_t get(glm::ivec3 v) const;
-        // The cube of 8 that holds `v`; here uniformValue may be 0.
-        [[nodiscard]] VoxelBlock blockAt(glm::ivec3 v) const;
 
       private:
         struct Impl;
