@@ -65,7 +65,7 @@ void App::frame(const Theme& theme, const std::vector<InputEvent>& events) {
     advanceAnimation();
     figures_.strokeSize.clear();
     Ui ui{theme, session_, settings_, edits_, commands_, context_, probe_, figures_, path};
-    commands_.askByKeys(settings_.keys);
+    commands_.askByKeys(settings_.input.keys);
     buildUi(ui);
     for (Action& action : edits_.take()) context_.perform(std::move(action));
     for (const CommandId id : commands_.take()) {

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/vec3.hpp>
 #include <string>
 #include <vector>
 
 #include "app/editor/keymap.h"
+#include "app/editor/navigation.h"
 #include "app/editor/scene_settings.h"
 #include "app/editor/theme.h"
 #include "app/editor/tools/tool_options.h"
@@ -54,9 +56,16 @@ struct ToolSettings {
     bool operator==(const ToolSettings&) const = default;
 };
 
+// What is behind the voxels in the edit view.
+enum class Backdrop : std::uint8_t { theme, black, grey, white, sky };
+
 struct ViewSettings {
     bool voxelEdges = true;
     bool editGround = true;
+    bool boundsBox = false;
+    bool occlusion = true;
+    bool sunShadow = false;  // in the edit view
+    Backdrop backdrop = Backdrop::theme;
     bool proxyBox = true;
     bool anchorMarker = true;
     bool groundGrid = false;
@@ -66,9 +75,42 @@ struct ViewSettings {
     bool operator==(const ViewSettings&) const = default;
 };
 
+// A view that is kept under a name. It is told in the model's own measure, so that it shows every
+// model the same way.
+struct SavedCamera {
+    std::string name{};
+    double yawDegrees = 0.0;
+    double pitchDegrees = 0.0;
+    // From the middle of the model, in radii of the sphere around it.
+    glm::dvec3 targetRadii{0.0};
+    double distanceRadii = 3.0;
+    bool orthographic = false;
+    bool operator==(const SavedCamera&) const = default;
+};
+
+struct InputSettings {
+    NavigationPreset navigation = NavigationPreset::magicaVoxel;
+    bool invertWheel = false;
+    Keymap keys;  // what differs from the defaults
+    bool operator==(const InputSettings&) const = default;
+};
+
+// The panels' measures are those at content scale 1.
+inline constexpr float kLeastScale = 0.75f, kMostScale = 1.75f;
+inline constexpr float kLeastSide = 280.0f, kMostSide = 520.0f;
+inline constexpr float kLeastDock = 0.2f, kMostDock = 0.75f;
+
 struct WindowSettings {
     ThemeKind theme = ThemeKind::dark;
+    float scale = 1.0f;  // of text and all else, on top of the display's own
     float split = 0.5f;  // share of the edit view, 0.15 ... 0.85
+    float sideWidth = 320.0f;
+    float dockShare = 0.4f;  // of the height of the side panels
+    bool showsTools = true;
+    bool showsSide = true;
+    bool showsDock = true;
+    std::vector<std::string> foldedSections;  // of the inspector, by title
+    bool tourSeen = false;
     DockTab dockTab = DockTab::palette;
     std::filesystem::path folder;  // where file dialogs start
     std::vector<std::filesystem::path> recent;
@@ -79,8 +121,9 @@ struct EditorSettings {
     ToolSettings tool;
     ViewSettings view;
     SceneSettings scene;
+    InputSettings input;
     WindowSettings window;
-    Keymap keys;
+    std::vector<SavedCamera> cameras;
     bool operator==(const EditorSettings&) const = default;
 
     // To the top of the recent files, each of which stands there once.

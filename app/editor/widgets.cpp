@@ -245,7 +245,7 @@ bool iconButton(Ui& ui, const char* name, const char* icon, Lit lit, float sizeP
 
 void commandButton(Ui& ui, CommandId id, Lit lit, float sizePx, ImFont* font) {
     const Command& command = commandOf(id);
-    const std::string text = nameWithKey(id, ui.settings.keys);
+    const std::string text = nameWithKey(id, ui.settings.input.keys);
     const std::string name = std::string("command.") + command.tag;
     if (iconButton(ui, name.c_str(), command.icon, lit, sizePx, text.c_str(), font)) {
         ui.commands.ask(id);

@@ -128,13 +128,21 @@ TEST(EditorSettingsFile, KeepsWhatWasChosenAndSurvivesNonsense) {
     EditorSettings settings;
     settings.tool.mode = EditMode::paint;
     settings.tool.tool = ToolKind::cylinder;
-    settings.keys["undo"] = {control('U'), key('-')};
+    settings.input.keys["undo"] = {control('U'), key('-')};
     settings.tool.gizmo = GizmoKind::rotate;
     settings.view.proxyBox = false;
     settings.view.lockCameras = true;
     settings.window.theme = ThemeKind::light;
     settings.window.split = 0.25f;
     settings.window.dockTab = DockTab::history;
+    settings.window.sideWidth = 400.0f;
+    settings.window.showsDock = false;
+    settings.window.foldedSections = {"Light"};
+    settings.window.scale = 1.25f;
+    settings.input.navigation = NavigationPreset::blender;
+    settings.view.backdrop = Backdrop::sky;
+    settings.view.sunShadow = true;
+    settings.cameras.push_back({"Hero", 30.0, 20.0, {0.5, 0.0, -1.0}, 2.5, true});
     settings.remember(folder / "a.vox");
     settings.remember(folder / "b.vox");
     settings.remember(folder / "a.vox");
@@ -149,10 +157,14 @@ TEST(EditorSettingsFile, KeepsWhatWasChosenAndSurvivesNonsense) {
     ASSERT_TRUE(saveSettings(path, settings));
     std::ofstream(path) << "{\"tool\": 99, \"split\": \"wide\"";
     EXPECT_EQ(loadSettings(path), EditorSettings{});
-    std::ofstream(path) << "{\"tool\": 99, \"theme\": -1, \"split\": 7}";
+    std::ofstream(path) << "{\"tool\": {\"tool\": 99}, \"window\": {\"theme\": -1, \"split\": 7}, "
+                           "\"keys\": {\"undo\": [\"Hyper+Z\"], \"redo\": [\"Ctrl+R\"]}}";
     const EditorSettings clamped = loadSettings(path);
     EXPECT_EQ(clamped.tool.tool, ToolKind::brush);
+    EXPECT_EQ(clamped.window.theme, ThemeKind::dark);
     EXPECT_LE(clamped.window.split, 0.85f);
+    EXPECT_FALSE(clamped.input.keys.contains("undo"));
+    EXPECT_EQ(clamped.input.keys.at("redo")[0], control('R'));
 }
 
 }  // namespace

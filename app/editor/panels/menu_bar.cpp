@@ -14,7 +14,7 @@ constexpr const char* kIconSpace = "        ";
 void item(Ui& ui, const Command& command) {
     if (command.separator) ImGui::Separator();
     const std::string label = kIconSpace + std::string(command.name);
-    const std::string keys = chordText(chordsOf(command, ui.settings.keys)[0]);
+    const std::string keys = chordText(chordsOf(command, ui.settings.input.keys)[0]);
     if (ImGui::MenuItem(label.c_str(), keys.c_str(), isOn(command.id, ui.context),
                         isEnabled(command.id, ui.context))) {
         ui.commands.ask(command.id);
