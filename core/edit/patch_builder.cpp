@@ -111,21 +111,12 @@ Result<VoxelPatch> PatchBuilder::finish() {
     return patch;
 }
 
-std::uint64_t cubeCount(const VoxelGrid& voxels) {
-    std::uint64_t count = 0;
-    voxels.forEachBlock([&](const VoxelBlock& block) {
-        const auto cubes = static_cast<std::uint64_t>(block.edgeVoxels / kCubeEdge);
-        count += cubes * cubes * cubes;
-    });
-    return count;
-}
-
 Result<std::vector<glm::ivec3>> cubesOf(const VoxelGrid& a) {
     return cubesOf(a, VoxelGrid());
 }
 
 Result<std::vector<glm::ivec3>> cubesOf(const VoxelGrid& a, const VoxelGrid& b) {
-    const std::uint64_t count = cubeCount(a) + cubeCount(b);
+    const std::uint64_t count = a.cubeCount() + b.cubeCount();
     if (count > kMaxCubes) {
         return tooMany("goes over " + std::to_string(count) + " blocks of 8 voxels cubed");
     }

@@ -50,7 +50,5 @@ class PatchBuilder {
 // Fails when there are too many to go through one by one.
 [[nodiscard]] Result<std::vector<glm::ivec3>> cubesOf(const VoxelGrid& a);
 [[nodiscard]] Result<std::vector<glm::ivec3>> cubesOf(const VoxelGrid& a, const VoxelGrid& b);
-// How many those of one grid are.
-[[nodiscard]] std::uint64_t cubeCount(const VoxelGrid& voxels);
 
 }  // namespace voxprite

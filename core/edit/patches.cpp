@@ -81,7 +81,7 @@ Result<VoxelPatch> patchSet(const Document& document, int model, const VoxelSet&
     PatchBuilder builder(document, model, limits);
     // Only what is solid can be erased or painted: go through whichever is smaller.
     const bool throughModel =
-        mode != EditMode::attach && cubeCount(builder.voxels()) < cubeCount(set.grid());
+        mode != EditMode::attach && builder.voxels().cubeCount() < set.grid().cubeCount();
     const Result<std::vector<glm::ivec3>> cubes =
         cubesOf(throughModel ? builder.voxels() : set.grid());
     if (!cubes) return tl::unexpected(cubes.error());

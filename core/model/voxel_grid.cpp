@@ -227,6 +227,15 @@ std::uint64_t VoxelGrid::solidCount() const {
     return count;
 }
 
+std::uint64_t VoxelGrid::cubeCount() const {
+    std::uint64_t count = 0;
+    visitTree(
+        impl_->tree,
+        [&](const VoxelBlock& tile) { count += voxelsInCube(tile.edgeVoxels / kLeafEdge); },
+        [&](const Leaf&) { ++count; });
+    return count;
+}
+
 bool VoxelGrid::empty() const {
     return bounds().empty();  // faster than counting: what lies inside a box is skipped
 }

@@ -51,6 +51,8 @@ class VoxelGrid {
     void clear();
 
     [[nodiscard]] std::uint64_t solidCount() const;  // O(blocks)
+    // Cubes of 8, aligned as blocks are, with something solid in them. O(blocks).
+    [[nodiscard]] std::uint64_t cubeCount() const;
     [[nodiscard]] bool empty() const;
     [[nodiscard]] std::size_t bytes() const;  // memory held, about
     // The tight box around the solid voxels; an empty box when there are none. O(blocks).
