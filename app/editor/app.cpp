@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/editor/panels/panels.h"
+#include "app/editor/panels/tool_options.h"
 #include "app/editor/widgets.h"
 #include "app/editor/window.h"
 
@@ -69,6 +70,8 @@ void App::frame(const Theme& theme, const std::vector<InputEvent>& events) {
     buildUi(ui);
     for (Action& action : edits_.take()) context_.perform(std::move(action));
     for (const CommandId id : commands_.take()) {
+        // A file holds what is seen: what a tool is still making, too.
+        if (commandOf(id).menu == MenuId::file) keepToolsWork();
         if (isEnabled(id, context_)) commandOf(id).run(context_);
     }
     if (files_.takeReplaced()) startOver();
@@ -99,6 +102,12 @@ void App::buildUi(Ui& ui) {
 
     beginPanel(ui, "panel.tools", layout.tools, theme.px(6, 8), ImGuiWindowFlags_NoScrollbar);
     drawToolColumn(ui);
+    ImGui::End();
+
+    beginPanel(ui, "panel.options", layout.options, theme.px(12, 6), ImGuiWindowFlags_NoScrollbar);
+    const ToolAnswer answer = drawToolOptions(ui, voxels_.tools().tool());
+    if (answer == ToolAnswer::keep) keepToolsWork();
+    if (answer == ToolAnswer::drop) voxels_.tools().cancel(session_);
     ImGui::End();
 
     beginPanel(ui, "panel.inspector", layout.inspector, theme.px(14, 10));
@@ -176,8 +185,12 @@ void App::drawDock(Ui& ui) {
     }
 }
 
+void App::keepToolsWork() {
+    if (auto action = voxels_.tools().confirm(session_)) context_.perform(std::move(*action));
+}
+
 void App::startOver() {
-    voxels_.cancelStroke();
+    voxels_.tools().cancel(session_);
     sprite_.forget();
     framed_ = false;
     figures_.editMilliseconds.reset();
@@ -200,6 +213,7 @@ void App::renderViews() {
     } else {
         drew = drew || *sprite;
     }
+    for (const Error& problem : sprite_.takeProblems()) toasts_.error(problem.describe());
     figures_.sigmaInForce = sprite_.stats().drawn > 0 ? sprite_.stats().sigmaInForce : 0.0;
     figures_.screenPxPerPx = sprite_.stats().screenPxPerPx;
     if (session_.modelRevision() != shownModel_) {
@@ -244,6 +258,7 @@ void App::advanceAnimation() {
 }
 
 bool App::animates() const {
+    if (sprite_.animates(settings_)) return true;
     return settings_.view.playing && session_.frames() > 1;
 }
 

@@ -29,8 +29,14 @@ class App {
     // One frame: `events` are those that ImGui was fed. Between ImGui's NewFrame and Render.
     void frame(const Theme& theme, const std::vector<InputEvent>& events);
     // Dropped or otherwise asked for; asks about unsaved changes first.
-    void requestOpen(const std::filesystem::path& file) { files_.open(file); }
-    void requestQuit() { files_.quit(); }
+    void requestOpen(const std::filesystem::path& file) {
+        keepToolsWork();
+        files_.open(file);
+    }
+    void requestQuit() {
+        keepToolsWork();
+        files_.quit();
+    }
     void say(std::string text) { toasts_.info(std::move(text)); }
 
     [[nodiscard]] bool quits() const { return files_.quits(); }
@@ -57,6 +63,8 @@ class App {
     void advanceAnimation();
     void dumpLayout();
 
+    // What a tool is still making becomes part of the document.
+    void keepToolsWork();
     // Another document is open: nothing of the last one's is remembered.
     void startOver();
 

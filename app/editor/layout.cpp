@@ -21,10 +21,15 @@ Layout layoutFor(const Theme& theme, ImVec2 window, float split) {
     Layout layout;
     layout.menu = {{0, 0}, {window.x, menuHeight}};
     layout.tools = {{0, top}, {toolWidth, height}};
-    layout.edit = {{viewsLeft, top}, {editWidth, height}};
-    layout.divider = {{viewsLeft + editWidth, top}, {dividerWidth, height}};
+    // The options of the tool in hand run along the top of both views.
+    const float optionsHeight = theme.px(36);
+    layout.options = {{viewsLeft, top}, {viewsWidth, optionsHeight}};
+    const float viewTop = top + optionsHeight + line;
+    const float viewHeight = std::max(1.0f, height - optionsHeight - line);
+    layout.edit = {{viewsLeft, viewTop}, {editWidth, viewHeight}};
+    layout.divider = {{viewsLeft + editWidth, viewTop}, {dividerWidth, viewHeight}};
     const float spriteLeft = viewsLeft + editWidth + dividerWidth;
-    layout.sprite = {{spriteLeft, top}, {viewsWidth - editWidth - dividerWidth, height}};
+    layout.sprite = {{spriteLeft, viewTop}, {viewsWidth - editWidth - dividerWidth, viewHeight}};
     layout.inspector = {{sideLeft, top}, {sideWidth, height - dockHeight - line}};
     layout.dock = {{sideLeft, top + height - dockHeight}, {sideWidth, dockHeight}};
     layout.status = {{0, window.y - statusHeight}, {window.x, statusHeight}};

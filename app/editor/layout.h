@@ -12,7 +12,7 @@ struct Area {
 };
 
 struct Layout {
-    Area menu, tools, edit, divider, sprite, inspector, dock, status;
+    Area menu, tools, options, edit, divider, sprite, inspector, dock, status;
 };
 
 // `split` is the edit view's share of the two views.

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/editor/shown_octree.h"
+#include "core/edit/clip.h"
 #include "core/edit/history.h"
 #include "core/model/entity_voxels.h"
 #include "core/sprite/sprite_view.h"
@@ -58,6 +59,9 @@ class Session {
     [[nodiscard]] Status perform(Action action);
     [[nodiscard]] Status undo();
     [[nodiscard]] Status redo();
+    // What was last copied or cut; the clipboard of the voxel tools. No part of the document.
+    [[nodiscard]] const std::optional<VoxelClip>& clip() const { return clip_; }
+    void setClip(std::optional<VoxelClip> clip) { clip_ = std::move(clip); }
     // A key of its own for the actions of one stroke or drag, which become one step.
     [[nodiscard]] std::uint64_t newMergeKey() { return ++lastMergeKey_; }
 
@@ -132,6 +136,7 @@ class Session {
     std::optional<std::filesystem::path> profilePath_;
     GameProfile savedProfile_;
     std::vector<std::string> warnings_;
+    std::optional<VoxelClip> clip_;
 };
 
 }  // namespace voxprite::editor

@@ -4,9 +4,10 @@
 #include <optional>
 
 #include "app/editor/picking.h"
-#include "app/editor/stroke.h"
+#include "app/editor/tools/tool_box.h"
 #include "app/editor/view_canvas.h"
 #include "core/base/result.h"
+#include "render/overlay.h"
 #include "render/voxel_view.h"
 
 namespace voxprite::editor {
@@ -21,18 +22,16 @@ class VoxelViewport {
     bool render(const Session& session, const GpuOctree& octree, const EditorSettings& settings);
 
     [[nodiscard]] OrbitCamera& camera() { return camera_; }
+    [[nodiscard]] CameraTurn& turn() { return turn_; }
     void frameModel(const Session& session);
     [[nodiscard]] const std::optional<Pick>& hovered() const { return hovered_; }
-    void cancelStroke() { stroke_.reset(); }
+    // The tool in hand, for its options.
+    [[nodiscard]] ToolBox& tools() { return tools_; }
 
   private:
-    explicit VoxelViewport(VoxelView view) : view_(std::move(view)) {}
-    void useTool(Ui& ui, const ViewInput& input, const Camera& camera, std::string& refusal);
-    void beginTool(Ui& ui, const Pick& pick, std::string& refusal);
-    void pickColour(Ui& ui, const Pick& pick) const;
-    void pickAnchor(Ui& ui, const Pick& pick) const;
-    void drawHover(Ui& ui, const Camera& camera);
-    void drawStroke(Ui& ui, const Camera& camera);
+    VoxelViewport(VoxelView view, Overlay overlay)
+        : view_(std::move(view)), overlay_(std::move(overlay)) {}
+    void useTools(Ui& ui, const ToolContext& context, std::string& refusal);
 
     // Everything that the picture depends on.
     struct Shown {
@@ -44,13 +43,17 @@ class VoxelViewport {
         bool ground = false;
         ThemeKind theme = ThemeKind::dark;
         Light light;
+        IBox bounds;
+        ToolOptions guides;
         bool operator==(const Shown&) const = default;
     };
 
     VoxelView view_;
+    Overlay overlay_;
     ViewCanvas canvas_;
     OrbitCamera camera_;
-    std::optional<Stroke> stroke_;
+    CameraTurn turn_;
+    ToolBox tools_;
     std::optional<Pick> hovered_;
     std::optional<Shown> shown_;
 };

@@ -20,10 +20,15 @@ std::span<const Command> editCommands() {
                 .repeats = true,
                 .run =
                     [](CommandContext& c) {
-                        c.editView.cancelStroke();
+                        // What is only being made is the first thing to take back.
+                        ToolBox& tools = c.editView.tools();
+                        if (tools.busy()) return tools.cancel(c.session);
                         c.report(c.session.undo());
                     },
-                .enabled = [](const CommandContext& c) { return c.session.history().canUndo(); }},
+                .enabled =
+                    [](const CommandContext& c) {
+                        return c.session.history().canUndo() || c.editView.tools().busy();
+                    }},
         Command{.id = redo,
                 .tag = "redo",
                 .menu = MenuId::edit,
@@ -33,7 +38,7 @@ std::span<const Command> editCommands() {
                 .repeats = true,
                 .run =
                     [](CommandContext& c) {
-                        c.editView.cancelStroke();
+                        c.editView.tools().cancel(c.session);
                         c.report(c.session.redo());
                     },
                 .enabled = [](const CommandContext& c) { return c.session.history().canRedo(); }},

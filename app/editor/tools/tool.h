@@ -36,6 +36,16 @@ struct ToolInput {
     bool control = false;
 };
 
+// All that the coming edit depends on, but for what a tool is already making: while it is the same,
+// the preview is.
+struct Aim {
+    std::optional<Pick> pick;
+    EditMode mode = EditMode::attach;
+    ToolSettings settings;
+    std::uint64_t revision = 0;  // of the session
+    bool operator==(const Aim&) const = default;
+};
+
 struct ToolContext {
     Session& session;  // to aim at; and to say which object is being edited
     ToolSettings& settings;
@@ -50,6 +60,7 @@ struct ToolContext {
         if (!input.shift || settings.mode == EditMode::paint) return settings.mode;
         return settings.mode == EditMode::attach ? EditMode::erase : EditMode::attach;
     }
+    [[nodiscard]] Aim aim() const { return {pick, mode(), settings, session.revision()}; }
 };
 
 struct ToolResult {

@@ -1,0 +1,32 @@
+// Fills by a click. The bucket recolours (or erases) what is connected to the voxel; the plane fill
+// closes an outline: it fills the empty part of a layer that voxels enclose, and in the other modes
+// paints or erases the face that was hit.
+#pragma once
+
+#include "app/editor/tools/edit_target.h"
+#include "app/editor/tools/tool.h"
+
+namespace voxprite::editor {
+
+class FillTool final : public Tool {
+  public:
+    enum class Kind : std::uint8_t { connected, plane };
+    explicit FillTool(Kind kind) : kind_(kind) {}
+
+    [[nodiscard]] ToolResult update(const ToolContext& context) override;
+    void draw(const ToolContext& context, const ViewDrawing& drawing,
+              const Theme& theme) const override;
+    void cancel() override;
+
+  private:
+    [[nodiscard]] EditMode modeOf(const ToolContext& context) const;
+    [[nodiscard]] Result<VoxelSet> region(const ToolContext& context, const EditTarget& target,
+                                          const Pick& pick) const;
+    void show(const ToolContext& context, ToolResult& result);
+
+    Kind kind_;
+    std::optional<Aim> aim_;
+    IBox regionBox_;  // of what the pointer is on, without mirror images; entity space
+};
+
+}  // namespace voxprite::editor

@@ -1,0 +1,41 @@
+// Holds the tool in hand, hands it the input of each frame, and carries out what it says: the
+// preview at once, actions by whoever performs them.
+#pragma once
+
+#include <memory>
+
+#include "app/editor/tools/tool.h"
+
+namespace voxprite::editor {
+
+class ToolBox {
+  public:
+    struct Outcome {
+        std::vector<Action> actions;
+        std::string refusal;
+    };
+    // With `picksColour` (Alt) the left button picks a colour, whatever the tool.
+    [[nodiscard]] Outcome update(const ToolContext& context, bool picksColour);
+    void draw(const ToolContext& context, const ViewDrawing& drawing, const Theme& theme) const;
+
+    // What is being made becomes an action: Enter, and before anything that needs the whole
+    // document (saving, another edit).
+    [[nodiscard]] std::optional<Action> confirm(Session& session);
+    // It is dropped: Esc, undo.
+    void cancel(Session& session);
+    [[nodiscard]] bool busy() const { return tool_ && tool_->busy(); }
+    [[nodiscard]] bool wantsWheel() const { return tool_ && tool_->wantsWheel(); }
+    [[nodiscard]] Tool* tool() { return tool_.get(); }
+    [[nodiscard]] const Tool* tool() const { return tool_.get(); }
+
+  private:
+    void take(ToolKind kind, Session& session, Outcome& outcome);
+
+    std::unique_ptr<Tool> tool_;
+    ToolKind kind_ = ToolKind::brush;
+    // Where the pointer was when something was done: until it moves on, the result is shown and not
+    // what the next click would do on top of it.
+    std::optional<glm::dvec2> restsPx_;
+};
+
+}  // namespace voxprite::editor
