@@ -13,8 +13,9 @@ namespace {
 
 std::vector<Command> allCommands() {
     std::vector<Command> all;
-    for (const auto table : {fileCommands(), editCommands(), objectCommands(), toolCommands(),
-                             viewCommands(), helpCommands()}) {
+    for (const auto table :
+         {fileCommands(), editCommands(), objectCommands(), toolCommands(), toolOptionCommands(),
+          viewCommands(), sceneCommands(), helpCommands()}) {
         all.insert(all.end(), table.begin(), table.end());
     }
     return all;

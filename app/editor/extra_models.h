@@ -39,7 +39,7 @@ class ExtraModels {
     [[nodiscard]] bool failed(const std::filesystem::path& file) const;
     // Rises with every model that came or went.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
-    // Some model that is chosen and used moves by itself.
+    // Some model has an animation.
     [[nodiscard]] bool animated() const;
 
   private:

@@ -74,4 +74,10 @@ inline constexpr const char* kCamera = "\uF567";
 inline constexpr const char* kPerspective = "\uF1A7";
 inline constexpr const char* kIsometric = "\uF2D9";
 
+inline constexpr const char* kTwoCells = "\uF56A";
+inline constexpr const char* kFourCells = "\uF570";
+inline constexpr const char* kPicture = "\uF2E9";
+inline constexpr const char* kPeople = "\uF00E";
+inline constexpr const char* kDice = "\uF1CE";
+
 }  // namespace voxprite::editor::icon

@@ -151,6 +151,8 @@ class ImageClipboard::Owner {
 
 ImageClipboard::ImageClipboard() = default;
 ImageClipboard::~ImageClipboard() = default;
+ImageClipboard::ImageClipboard(ImageClipboard&&) noexcept = default;
+ImageClipboard& ImageClipboard::operator=(ImageClipboard&&) noexcept = default;
 
 Status ImageClipboard::copyPng(Bytes png) {
     if (!owner_) {

@@ -15,8 +15,8 @@ class ImageClipboard {
   public:
     ImageClipboard();
     ~ImageClipboard();
-    ImageClipboard(const ImageClipboard&) = delete;
-    ImageClipboard& operator=(const ImageClipboard&) = delete;
+    ImageClipboard(ImageClipboard&&) noexcept;
+    ImageClipboard& operator=(ImageClipboard&&) noexcept;
 
     // Fails without an X11 display, or when the picture is larger than one transfer may be.
     [[nodiscard]] Status copyPng(Bytes png);

@@ -18,6 +18,7 @@ namespace voxprite::editor {
 struct CopySubject {
     double reachMetres = 1.0;
     bool used = true;
+    bool operator==(const CopySubject&) const = default;
 };
 
 struct Copy {

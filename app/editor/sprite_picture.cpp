@@ -4,18 +4,31 @@
 #include <glm/common.hpp>
 
 #include "core/io/png.h"
+#include "core/trace/lattice_caster.h"
 
 namespace voxprite::editor {
 
-Result<Image> spritePicture(const Session& session, const Camera& camera, ViewHistory history,
-                            int scale) {
+namespace {
+
+// The document's entity as the view shows it.
+Result<SpriteView> viewOf(const Session& session, const Camera& camera, ViewHistory& history) {
     const GameProfile& profile = session.profile();
     PlacedEntity placed = placeEntity(session.document().entity, session.bounds(), profile);
     placed.anchorMetres.y += groundClearanceMetres(profile);
     const Result<SpriteViewResult> seen = viewSprite(placed, camera, profile, &history);
     if (!seen) return Failure(seen.error());
     if (!seen->view) return fail("There is no sprite in view");
-    const SpriteView& view = *seen->view;
+    return *seen->view;
+}
+
+}  // namespace
+
+Result<Image> spritePicture(const Session& session, const Camera& camera, ViewHistory history,
+                            int scale) {
+    const Result<SpriteView> seen = viewOf(session, camera, history);
+    if (!seen) return Failure(seen.error());
+    const SpriteView& view = *seen;
+    const GameProfile& profile = session.profile();
     const LitPalette lit = litPalette(session.document().palette, view.light8, profile.outline);
     const SpriteBuffer buffer =
         castSprite(session.octree().view(session.bounds()), view.lattice, lit);
@@ -27,6 +40,16 @@ Result<Image> spritePicture(const Session& session, const Camera& camera, ViewHi
                     " pixels");
     }
     return magnified(sprite, scale);
+}
+
+std::uint8_t colourUnder(const Session& session, const Camera& camera, ViewHistory history,
+                         glm::dvec2 viewPx) {
+    const Result<SpriteView> view = viewOf(session, camera, history);
+    if (!view) return 0;
+    const std::optional<glm::ivec2> pixel = pixelUnder(*view, camera, viewPx);
+    if (!pixel) return 0;
+    const OctreeView octree = session.octree().view(session.bounds());
+    return castLattice(octree, rayOf(view->lattice, *pixel)).material;
 }
 
 Image magnified(const Image& image, int scale) {

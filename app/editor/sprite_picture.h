@@ -13,6 +13,11 @@ namespace voxprite::editor {
 [[nodiscard]] Result<Image> spritePicture(const Session& session, const Camera& camera,
                                           ViewHistory history, int scale);
 
+// The palette index of the document's voxel under a point of the view; 0 where the sprite is empty
+// or its outline runs.
+[[nodiscard]] std::uint8_t colourUnder(const Session& session, const Camera& camera,
+                                       ViewHistory history, glm::dvec2 viewPx);
+
 // Each pixel as a square of `scale` pixels.
 [[nodiscard]] Image magnified(const Image& image, int scale);
 // Without the transparent rows and columns around it; empty when all of it is transparent.

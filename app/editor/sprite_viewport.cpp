@@ -1,7 +1,13 @@
 #include "app/editor/sprite_viewport.h"
 
+#include <algorithm>
 #include <array>
+#include <chrono>
+#include <cmath>
 #include <cstdio>
+
+#include "app/editor/sprite_picture.h"
+#include "app/editor/sprite_toolbar.h"
 
 namespace voxprite::editor {
 namespace {
@@ -15,6 +21,20 @@ GizmoTarget gizmoTarget(const Session& session, GizmoKind kind, double sigmaInFo
             sigmaInForce > 0.0 ? sigmaInForce : session.profile().sigma, placed.metresPerVoxel()};
 }
 
+void add(SceneStats& sum, const SceneStats& stats) {
+    if (sum.drawn == 0) {
+        sum.sigmaInForce = stats.sigmaInForce;
+        sum.screenPxPerPx = stats.screenPxPerPx;
+    }
+    sum.drawn += stats.drawn;
+    sum.unseen += stats.unseen;
+    sum.rays += stats.rays;
+    sum.casts += stats.casts;
+    sum.castsReused += stats.castsReused;
+    sum.drawCalls += stats.drawCalls;
+    sum.atlasBytes = stats.atlasBytes;  // one atlas for all
+}
+
 }  // namespace
 
 Result<SpriteViewport> SpriteViewport::create() {
@@ -25,16 +45,85 @@ Result<SpriteViewport> SpriteViewport::create() {
     return SpriteViewport(std::move(*renderer), std::move(*overlay));
 }
 
+glm::ivec2 SpriteViewport::cellPx() const {
+    return areas_.size() > 1 ? areas_.front().size : canvas_.sizePx();
+}
+
 void SpriteViewport::frameModel(const Session& session) {
     PlacedEntity placed = session.placedInGame();
-    if (session.bounds().empty()) placed.modelSize = kEmptyShown;
-    camera_.frame(proxyCorners(placed, session.profile().sigma), 0.25, canvas_.sizePx());
+    if (session.shownBounds().empty()) placed.modelSize = kEmptyShown;
+    camera_.frame(proxyCorners(placed, session.profile().sigma), 0.25, cellPx());
+}
+
+void SpriteViewport::frameScene(const Session& session) {
+    const PlacedEntity placed = session.placedInGame();
+    const double reach = std::max(scene_.radiusMetres(), placed.radiusMetres());
+    std::vector<glm::dvec3> points;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 side((corner & 1) != 0 ? reach : -reach, 0.0,
+                              (corner & 2) != 0 ? reach : -reach);
+        const double up = (corner & 4) != 0 ? placed.modelSize.z * placed.metresPerVoxel() : 0.0;
+        points.push_back(placed.anchorMetres + side + glm::dvec3(0.0, up, 0.0));
+    }
+    // From level with the ground the first rank would hide all others.
+    camera_.pitchDegrees = std::max(camera_.pitchDegrees, 25.0);
+    camera_.frame(points, 0.05, cellPx());
+}
+
+void SpriteViewport::toGameDistance(const Session& session, double screenPxPerPx) {
+    const PlacedEntity placed = session.placedInGame();
+    camera_.target = placed.centreMetres();
+    camera_.distance = 1.0;
+    const double metresPerPx = session.profile().voxelSizeMetres / session.profile().sigma;
+    camera_.distance =
+        metresPerPx / (screenPxPerPx * camera_.camera(cellPx()).metresPerScreenPx(1.0));
 }
 
 void SpriteViewport::show(Ui& ui, ImVec2 min, ImVec2 size) {
     ViewInput input = canvas_.begin(ui, "view.sprite", min, size);
+    turn_.advance(camera_, static_cast<double>(ImGui::GetIO().DeltaTime));
+    SceneSettings& settings = ui.settings.scene;
+    settings.comparison.follow(ui.session.profile().sigma);
+    areas_ =
+        cellAreas(canvas_.sizePx(), settings.comparison.cells, static_cast<int>(ui.theme.px(2)));
+    if (ui.settings.view.playing) {
+        scene_.advance(static_cast<double>(ImGui::GetIO().DeltaTime), ui.session, settings);
+    }
+    ui.figures.scene = figures_;
+    if (areas_.size() > 1) {
+        showCells(ui, input);
+    } else {
+        showAlone(ui, input);
+    }
+    drawSpriteToolbar(ui, canvas_);
+    canvas_.end();
+}
+
+void SpriteViewport::showCells(Ui& ui, ViewInput& input) {
+    // The cell under the pointer is what is looked around in.
+    for (const CellArea& area : areas_) {
+        const glm::dvec2 in = input.pointerPx - glm::dvec2(area.min);
+        if (in.x < 0.0 || in.y < 0.0 || in.x >= area.size.x || in.y >= area.size.y) continue;
+        input.pointerPx = in;
+        break;
+    }
+    input.sizePx = cellPx();
+    if (input.held) {
+        const ImVec2 moved = ImGui::GetIO().MouseDelta;
+        camera_.orbit({static_cast<double>(moved.x), static_cast<double>(moved.y)});
+    }
+    ViewCanvas::navigate(input, camera_);
+    showSigmaCells(ui, canvas_, areas_, cells_);
+}
+
+void SpriteViewport::showAlone(Ui& ui, ViewInput& input) {
     // Where no handle is, the left button looks around, too.
     const Camera before = camera_.camera(input.sizePx);
+    if (input.pressed && ImGui::GetIO().KeyAlt) {
+        const std::uint8_t colour =
+            colourUnder(ui.session, before, history(ui.settings.scene), input.pointerPx);
+        if (colour != 0) ui.settings.tool.colour = colour;
+    }
     useGizmo(ui, input, before);
     if (input.held && !gizmo_.dragging()) {
         const ImVec2 moved = ImGui::GetIO().MouseDelta;
@@ -43,26 +132,24 @@ void SpriteViewport::show(Ui& ui, ImVec2 min, ImVec2 size) {
     ViewCanvas::navigate(input, camera_);
 
     const Camera camera = camera_.camera(input.sizePx);
-    const PlacedEntity placed = ui.session.placedInGame();
-    const bool empty = ui.session.bounds().empty();
-    if (ui.settings.view.anchorMarker) drawAnchor(ui, camera, placed);
-    if (!empty) {
+    if (ui.settings.view.anchorMarker) drawAnchor(ui, camera, ui.session.placedInGame());
+    if (!ui.session.shownBounds().empty()) {
         const GizmoTarget target =
-            gizmoTarget(ui.session, ui.settings.tool.gizmo, stats_.sigmaInForce);
+            gizmoTarget(ui.session, ui.settings.tool.gizmo, stats().sigmaInForce);
         gizmo_.draw(target, camera, ViewDrawing(canvas_, camera), ui.theme);
     }
     std::array<char, 64> detail{};
-    if (stats_.drawn > 0) {
-        std::snprintf(detail.data(), detail.size(), "σ %.4g   %.1f px a vpx", stats_.sigmaInForce,
-                      stats_.screenPxPerPx);
+    if (stats().drawn > 0) {
+        std::snprintf(detail.data(), detail.size(), "σ %.4g   %.1f px a vpx", stats().sigmaInForce,
+                      stats().screenPxPerPx);
     }
     canvas_.caption(ui, "Sprite", detail.data());
-    canvas_.end();
 }
 
 void SpriteViewport::useGizmo(Ui& ui, const ViewInput& input, const Camera& camera) {
     if (ui.session.bounds().empty()) return;
-    const GizmoTarget target = gizmoTarget(ui.session, ui.settings.tool.gizmo, stats_.sigmaInForce);
+    const GizmoTarget target =
+        gizmoTarget(ui.session, ui.settings.tool.gizmo, stats().sigmaInForce);
     if (input.pressed) gizmoKey_ = ui.session.newMergeKey();
     const auto entity =
         gizmo_.update(target, camera, input, ui.theme.scale, ImGui::GetIO().KeyCtrl);
@@ -90,32 +177,91 @@ void SpriteViewport::drawAnchor(Ui& ui, const Camera& camera, const PlacedEntity
     ui.probe.mark("sprite.anchor", {at->x - outer, at->y - outer}, {at->x + outer, at->y + outer});
 }
 
-Result<bool> SpriteViewport::render(const Session& session, const GpuOctree& octree,
-                                    const EditorSettings& settings) {
-    const Shown wanted{octree.revision(), session.revision(), camera_, canvas_.sizePx(),
-                       settings.view};
-    if (shown_ == wanted) return false;
-    Scene scene;
-    scene.entities.push_back(
-        {&octree, &session.document().palette, session.placedInGame(), &history_});
-    scene.background = Rgba8(120, 150, 190, 255);
-    scene.sky = true;
-    scene.ground = Ground{};
-    scene.groundGrid = settings.view.groundGrid;
-    scene.shadowBlobs = settings.view.shadow;
-    const Camera camera = camera_.camera(wanted.sizePx);
-    Result<SceneStats> stats =
-        renderer_.draw(canvas_.frame(), scene, camera, session.profile(), SpriteMode::spriteBuffer);
+ViewHistory SpriteViewport::history(const SceneSettings& settings) const {
+    const std::size_t cell =
+        settings.comparison.on() ? static_cast<std::size_t>(settings.comparison.inForce) : 0;
+    if (cell >= cells_.size() || cells_[cell].histories.empty()) return {};
+    return cells_[cell].histories.front();
+}
+
+Result<Image> SpriteViewport::picture(const Session& session, const SceneSettings& settings) const {
+    return spritePicture(session, camera_.camera(cellPx()), history(settings),
+                         settings.pictureScale);
+}
+
+bool SpriteViewport::animates(const EditorSettings& settings) const {
+    return settings.scene.everyFrame || (settings.view.playing && scene_.moves(settings.scene));
+}
+
+void SpriteViewport::prepareCells() {
+    cells_.resize(areas_.size());
+    for (SpriteCell& cell : cells_) {
+        // A copy's history is of no use to whoever comes to stand in its place.
+        if (cell.histories.size() == scene_.entityCount()) continue;
+        cell.histories.resize(std::min<std::size_t>(cell.histories.size(), 1));
+        cell.histories.resize(scene_.entityCount());
+    }
+}
+
+Status SpriteViewport::renderCell(SpriteCell& cell, Frame& frame, const Session& session,
+                                  const GpuOctree& octree, const EditorSettings& settings,
+                                  const GameProfile& profile) {
+    const Scene scene = scene_.make(session, octree, settings.view, profile, cell.histories);
+    const Camera camera = camera_.camera(frame.sizePx());
+    const SpriteMode mode =
+        settings.scene.singlePass ? SpriteMode::singlePass : SpriteMode::spriteBuffer;
+    const Result<SceneStats> stats = renderer_.draw(frame, scene, camera, profile, mode);
     if (!stats) return Failure(stats.error());
-    stats_ = *stats;
-    if (settings.view.proxyBox && !session.bounds().empty()) {
-        const GizmoTarget target = gizmoTarget(session, settings.tool.gizmo, stats_.sigmaInForce);
+    cell.stats = *stats;
+    if (settings.view.proxyBox && !session.shownBounds().empty()) {
+        const GizmoTarget target =
+            gizmoTarget(session, settings.tool.gizmo, cell.stats.sigmaInForce);
         const auto corners = proxyCorners(target.placed, target.sigmaInForce);
         OverlayShapes shapes;
         shapes.addBox(corners, Rgba8(255, 255, 255, 150), 1.5f);
-        overlay_.draw(canvas_.frame(), shapes, camera, OverlayDepth::faintBehind);
+        overlay_.draw(frame, shapes, camera, OverlayDepth::faintBehind);
     }
+    return {};
+}
+
+Result<bool> SpriteViewport::render(const Session& session, const GpuOctree& octree,
+                                    const EditorSettings& settings) {
+    std::ranges::move(scene_.follow(session, settings.scene), std::back_inserter(problems_));
+    const SigmaComparison& comparison = settings.scene.comparison;
+    const Shown wanted{
+        octree.revision(), session.revision(), scene_.revision(),         camera_,
+        canvas_.sizePx(),  settings.view,      settings.scene.singlePass, comparison};
+    if (shown_ == wanted && !settings.scene.everyFrame) return false;
+    prepareCells();
+    Status done;
+    SceneStats sum;
+    timer_.begin();
+    const auto start = std::chrono::steady_clock::now();
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        SpriteCell& cell = cells_[i];
+        GameProfile profile = session.profile();
+        if (cells_.size() == 1) {
+            cell.frame.reset();
+            done = renderCell(cell, canvas_.frame(), session, octree, settings, profile);
+        } else {
+            profile.sigma = comparison.sigmas[i];
+            if (!cell.frame) cell.frame = std::make_unique<Frame>(areas_[i].size);
+            cell.frame->resize(areas_[i].size);
+            // One value that is out of reach does not take the others away.
+            const Status drawn = renderCell(cell, *cell.frame, session, octree, settings, profile);
+            cell.problem = drawn ? "" : drawn.error().describe();
+        }
+        add(sum, cell.stats);
+    }
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    timer_.end();
     shown_ = wanted;
+    if (!done) return Failure(done.error());
+    figures_.entities = scene_.entityCount();
+    figures_.stats = sum;
+    figures_.cpuMs = took.count();
+    figures_.gpuMs = timer_.readyMs();
+    figures_.cpuTimes.push(static_cast<float>(took.count()));
     return true;
 }
 

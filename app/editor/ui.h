@@ -10,6 +10,7 @@
 
 #include "app/editor/commands.h"
 #include "app/editor/layout_probe.h"
+#include "app/editor/scene_figures.h"
 #include "core/edit/make_action.h"
 #include "app/editor/session.h"
 #include "app/editor/settings.h"
@@ -44,6 +45,7 @@ struct ViewFigures {
     double screenPxPerPx = 0.0;
     std::optional<glm::ivec3> hovered;  // voxel, entity space
     std::optional<double> editMilliseconds;
+    SceneFigures scene;
     std::string strokeSize;  // "12 × 5 × 1" while a box is drawn
 };
 

@@ -107,7 +107,7 @@ bool vectorRow(Ui& ui, const char* name, const char* label, glm::dvec3& value, c
 }
 
 bool logSliderRow(Ui& ui, const char* name, const char* label, double& value, double min,
-                  double max, double (*snap)(double), const char* hint) {
+                  double max, double (*snap)(double), const char* hint, const Range& typed) {
     const Theme& theme = ui.theme;
     rowLabel(ui, label, hint);
     const float numberWidth = theme.px(56), gap = theme.px(8);
@@ -144,9 +144,8 @@ bool logSliderRow(Ui& ui, const char* name, const char* label, double& value, do
     draw.AddCircleFilled({x, y}, knob - theme.px(2), theme.accent);
 
     ImGui::SameLine(0.0f, gap);
-    const std::string typed = std::string(name) + ".value";
-    const Range range{1.0 / 64.0, 64.0, 0.02, "%.4g"};
-    return number(ui, typed.c_str(), value, range, numberWidth) || changed;
+    const std::string field = std::string(name) + ".value";
+    return number(ui, field.c_str(), value, typed, numberWidth) || changed;
 }
 
 bool switchRow(Ui& ui, const char* name, const char* label, bool& value, const char* hint) {

@@ -29,7 +29,8 @@ void rowLabel(Ui& ui, const char* label, const char* hint = nullptr);
 // A slider over powers of two, with a number to type beside it.
 [[nodiscard]] bool logSliderRow(Ui& ui, const char* name, const char* label, double& value,
                                 double min, double max, double (*snap)(double),
-                                const char* hint = nullptr);
+                                const char* hint = nullptr,
+                                const Range& typed = {1.0 / 64.0, 64.0, 0.02, "%.4g"});
 [[nodiscard]] bool switchRow(Ui& ui, const char* name, const char* label, bool& value,
                              const char* hint = nullptr);
 // One of a few, side by side.

@@ -5,8 +5,16 @@
 #include "app/editor/commands/tables.h"
 #include "app/editor/file_flow.h"
 #include "app/editor/icons.h"
+#include "app/editor/sprite_export.h"
 
 namespace voxprite::editor {
+namespace {
+
+bool hasVoxels(const CommandContext& context) {
+    return !context.session.bounds().empty();
+}
+
+}  // namespace
 
 std::span<const Command> fileCommands() {
     using enum CommandId;
@@ -46,6 +54,22 @@ std::span<const Command> fileCommands() {
                 .icon = icon::kExport,
                 .chords = {control(GLFW_KEY_E)},
                 .run = [](CommandContext& c) { c.files.exportOctree(); }},
+        Command{.id = saveSprite,
+                .tag = "save_sprite",
+                .menu = MenuId::file,
+                .name = "Save this sprite as PNG",
+                .icon = icon::kPicture,
+                .chords = {key(GLFW_KEY_F12)},
+                .run = saveSpritePicture,
+                .enabled = hasVoxels},
+        Command{.id = copySprite,
+                .tag = "copy_sprite",
+                .menu = MenuId::file,
+                .name = "Copy this sprite",
+                .icon = icon::kCopy,
+                .chords = {controlShift(GLFW_KEY_C)},
+                .run = copySpritePicture,
+                .enabled = hasVoxels},
         Command{.id = openProfile,
                 .tag = "open_profile",
                 .menu = MenuId::file,

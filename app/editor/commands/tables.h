@@ -11,7 +11,9 @@ namespace voxprite::editor {
 [[nodiscard]] std::span<const Command> editCommands();
 [[nodiscard]] std::span<const Command> objectCommands();
 [[nodiscard]] std::span<const Command> toolCommands();
+[[nodiscard]] std::span<const Command> toolOptionCommands();
 [[nodiscard]] std::span<const Command> viewCommands();
+[[nodiscard]] std::span<const Command> sceneCommands();
 [[nodiscard]] std::span<const Command> helpCommands();
 
 }  // namespace voxprite::editor

@@ -3,6 +3,7 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "app/editor/number_text.h"
 #include "app/editor/panels/panels.h"
 #include "app/editor/widgets.h"
 
@@ -16,24 +17,6 @@ namespace {
     std::vsnprintf(buffer.data(), buffer.size(), pattern, arguments);
     va_end(arguments);
     return buffer.data();
-}
-
-// 1234567 -> "1,234,567"
-std::string grouped(std::uint64_t number) {
-    const std::string digits = std::to_string(number);
-    std::string text;
-    for (std::size_t i = 0; i < digits.size(); ++i) {
-        if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
-        text += digits[i];
-    }
-    return text;
-}
-
-std::string byteText(std::size_t bytes) {
-    const auto number = static_cast<double>(bytes);
-    if (number < 1024.0) return format("%zu B", bytes);
-    if (number < 1024.0 * 1024.0) return format("%.1f KiB", number / 1024.0);
-    return format("%.1f MiB", number / (1024.0 * 1024.0));
 }
 
 void figure(Ui& ui, const char* name, const std::string& text, const char* hint) {
