@@ -1,0 +1,66 @@
+#include "core/edit/selection.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/positions.h"
+#include "tests/support/random.h"
+#include "tests/support/voxels.h"
+
+namespace voxprite {
+namespace {
+
+using test::key;
+using test::Positions;
+using test::positionsOf;
+using test::Random;
+
+Positions solidWhere(const VoxelGrid& voxels, const std::function<bool(glm::ivec3)>& choose) {
+    Positions positions;
+    voxels.forEachSolid([&](glm::ivec3 v, std::uint8_t) {
+        if (choose(v)) positions.insert(key(v));
+    });
+    return positions;
+}
+
+TEST(Selection, HoldsOnlyWhatIsSolid) {
+    Random random(31);
+    VoxelGrid voxels = test::randomVoxels(5, {20, 20, 20}, 0.4, 5);
+    voxels.fill({{64, 0, 0}, {128, 64, 64}}, 3);
+    EXPECT_EQ(selectAll(voxels).count(), voxels.solidCount());
+    for (int round = 0; round < 20; ++round) {
+        const IBox box = IBox::around(random.voxel(-5, 70), random.voxel(-5, 70));
+        EXPECT_EQ(positionsOf(selectBox(voxels, box)),
+                  solidWhere(voxels, [&](glm::ivec3 v) { return box.contains(v); }));
+    }
+    const auto diagonal = [](glm::ivec3 v) { return (v.x + v.y + v.z) % 3 == 0; };
+    EXPECT_EQ(positionsOf(selectIf(voxels, diagonal)), solidWhere(voxels, diagonal));
+}
+
+TEST(Selection, AddsRemovesNarrowsAndInverts) {
+    const VoxelGrid voxels = test::randomVoxels(6, {24, 24, 24}, 0.5, 5);
+    const VoxelSet left = selectBox(voxels, {{0, 0, 0}, {14, 24, 24}});
+    const VoxelSet low = selectBox(voxels, {{0, 0, 0}, {24, 24, 9}});
+    const auto inLeft = [](glm::ivec3 v) { return v.x < 14; };
+    const auto inLow = [](glm::ivec3 v) { return v.z < 9; };
+    const auto expect = [&](SelectMode mode, const std::function<bool(glm::ivec3)>& choose) {
+        EXPECT_EQ(positionsOf(combined(left, low, mode)), solidWhere(voxels, choose));
+    };
+    expect(SelectMode::replace, inLow);
+    expect(SelectMode::add, [&](glm::ivec3 v) { return inLeft(v) || inLow(v); });
+    expect(SelectMode::remove, [&](glm::ivec3 v) { return inLeft(v) && !inLow(v); });
+    expect(SelectMode::intersect, [&](glm::ivec3 v) { return inLeft(v) && inLow(v); });
+    EXPECT_EQ(positionsOf(inverted(voxels, left)),
+              solidWhere(voxels, [&](glm::ivec3 v) { return !inLeft(v); }));
+    EXPECT_EQ(inverted(voxels, inverted(voxels, left)), left);
+    EXPECT_EQ(inverted(voxels, VoxelSet()), selectAll(voxels));
+}
+
+TEST(Selection, ForgetsWhatIsNoLongerSolid) {
+    VoxelGrid voxels = test::solidBox({4, 4, 4});
+    const VoxelSet selection = selectBox(voxels, {{0, 0, 0}, {2, 4, 4}});
+    voxels.fill({{0, 0, 0}, {1, 4, 4}}, 0);
+    EXPECT_EQ(stillSolid(voxels, selection), VoxelSet(IBox{{1, 0, 0}, {2, 4, 4}}));
+}
+
+}  // namespace
+}  // namespace voxprite
