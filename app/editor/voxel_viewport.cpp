@@ -97,17 +97,6 @@ void VoxelViewport::useTools(Ui& ui, const ToolContext& context, std::string& re
     for (Action& action : outcome.actions) ui.edits.push(std::move(action));
     refusal = std::move(outcome.refusal);
     if (const Tool* tool = tools_.tool()) ui.figures.strokeSize = tool->sizeText();
-    // Text fields and dialogs have their own Enter and Esc.
-    if (ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) {
-        return;
-    }
-    const auto pressed = [](ImGuiKey key) {
-        return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
-    };
-    if (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter)) {
-        if (auto action = tools_.confirm(ui.session)) ui.edits.push(std::move(*action));
-    }
-    if (pressed(ImGuiKey_Escape)) tools_.cancel(ui.session);
 }
 
 bool VoxelViewport::render(const Session& session, const GpuOctree& octree,
@@ -138,7 +127,7 @@ bool VoxelViewport::render(const Session& session, const GpuOctree& octree,
         look.backgroundBottom = Rgba8(176, 180, 188, 255);
     }
     const Camera camera = camera_.camera(wanted.sizePx);
-    view_.draw(canvas_.frame(), octree, session.document().palette, session.placedForEditing(),
+    view_.draw(canvas_.frame(), octree, session.shownPalette(), session.placedForEditing(),
                camera, look);
     const OverlayShapes shapes = guidesOf(guides, wanted.bounds, 1.0f);
     if (!shapes.lines.empty()) {

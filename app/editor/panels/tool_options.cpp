@@ -264,11 +264,7 @@ void drawLimits(Ui& ui, ToolOptions& options) {
     constexpr ImU32 kColour = IM_COL32(255, 214, 102, 255);
     if (letter(ui, "options.limit", icon::kWireframe, options.limited, kColour,
                "Limit edits to a box: nothing outside it is changed")) {
-        options.limited = !options.limited;
-        if (options.limited && options.limits.empty()) {
-            const IBox& bounds = ui.session.bounds();
-            options.limits = bounds.empty() ? IBox{{-16, -16, 0}, {16, 16, 32}} : bounds;
-        }
+        switchLimits(options, ui.session.bounds());
     }
     ImGui::SameLine(0.0f, ui.theme.px(3));
     if (iconButton(ui, "options.limit.box", icon::kDown, Lit::off, ui.theme.px(kHeight),

@@ -66,22 +66,17 @@ std::vector<glm::ivec3> BrushPath::extend(const Session& session, const Camera& 
 void BrushPath::step(const Session& session, const Pick& pick, std::vector<glm::ivec3>& fresh) {
     const BrushTip tip = tipOn(pick, options_);
     auto& trail = trails_[static_cast<std::size_t>(pick.axis())];
-    if (!trail) {
-        BrushTip inModel = tip;
-        inModel.axis = target_.axisToModel(tip.axis);
-        trail.emplace(inModel);
-    }
+    if (!trail) trail.emplace(tip);
     const bool draws = last_ && joined(*last_, pick);
-    const glm::ivec3 place = target_.toModel(tipPlace(tip, pick, mode_));
+    const glm::ivec3 place = tipPlace(tip, pick, mode_);
     std::vector<glm::ivec3> reached = draws ? trail->lineTo(place) : trail->startAt(place);
     last_ = pick;
     if (mode_ == EditMode::attach && pick.ground) {
         // The ground is firm.
         const int floor = session.bounds().empty() ? 0 : session.bounds().min.z;
-        const Placement entityFromModel = target_.modelFromEntity().inverse();
-        std::erase_if(reached,
-                      [&](glm::ivec3 v) { return entityFromModel.applyToVoxel(v).z < floor; });
+        std::erase_if(reached, [&](glm::ivec3 v) { return v.z < floor; });
     }
+    for (glm::ivec3& voxel : reached) voxel = target_.toModel(voxel);
     fresh.insert(fresh.end(), reached.begin(), reached.end());
 }
 

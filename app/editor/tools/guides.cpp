@@ -70,4 +70,10 @@ void switchSymmetry(ToolOptions& options, int axis, const IBox& bounds) {
     if (on && !options.symmetryPlaced) centreSymmetry(options, bounds);
 }
 
+void switchLimits(ToolOptions& options, const IBox& bounds) {
+    options.limited = !options.limited;
+    if (!options.limited || !options.limits.empty()) return;
+    options.limits = bounds.empty() ? IBox{{-16, -16, 0}, {16, 16, 32}} : bounds;
+}
+
 }  // namespace voxprite::editor

@@ -15,5 +15,7 @@ namespace voxprite::editor {
 void centreSymmetry(ToolOptions& options, const IBox& bounds);
 // Switches one axis; the first one ever switched on finds its plane in the model's middle.
 void switchSymmetry(ToolOptions& options, int axis, const IBox& bounds);
+// The limiting box lies around the model until it was given another place.
+void switchLimits(ToolOptions& options, const IBox& bounds);
 
 }  // namespace voxprite::editor

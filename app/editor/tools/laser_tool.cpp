@@ -23,9 +23,10 @@ bool LaserTool::burn(Beam& beam, const ToolContext& context, std::span<const glm
         bool starts = true;
         for (const glm::ivec3 voxel : voxelsAlongRay(
                  voxelFromWorld(ray.origin), voxelFromWorld(ray.direction), session.bounds())) {
-            const glm::ivec3 at = beam.target.toModel(voxel);
-            const auto reached = starts ? beam.trail.startAt(at) : beam.trail.lineTo(at);
-            fresh.insert(fresh.end(), reached.begin(), reached.end());
+            for (const glm::ivec3 reached :
+                 starts ? beam.trail.startAt(voxel) : beam.trail.lineTo(voxel)) {
+                fresh.push_back(beam.target.toModel(reached));
+            }
             starts = false;
         }
     });

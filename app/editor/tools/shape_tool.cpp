@@ -7,6 +7,7 @@
 #include "app/editor/tools/tool_marks.h"
 #include "core/edit/make_action.h"
 #include "core/edit/shapes.h"
+#include "core/edit/transforms.h"
 
 namespace voxprite::editor {
 namespace {
@@ -202,9 +203,11 @@ std::vector<Handle> ShapeTool::handles() const {
 Result<VoxelSet> ShapeTool::voxels(const ToolOptions& options) const {
     const EditTarget& target = shape_->target;
     if (kind_ == ToolKind::line) {
-        BrushTip tip{options.tip, options.tipEdge, shape_->start.axis()};
-        tip.axis = target.axisToModel(tip.axis);
-        return lineVoxels(tip, target.toModel(shape_->first), target.toModel(shape_->last));
+        // An even tip is not its own mirror image: drawn where the artist sees it, then turned.
+        const BrushTip tip{options.tip, options.tipEdge, shape_->start.axis()};
+        const Result<VoxelSet> line = lineVoxels(tip, shape_->first, shape_->last);
+        if (!line) return line;
+        return transformed(*line, target.modelFromEntity());
     }
     Shape shape;
     shape.kind = kind_ == ToolKind::box        ? ShapeKind::box
