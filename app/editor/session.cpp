@@ -22,6 +22,7 @@ const VoxelChange* changeAt(const std::vector<VoxelChange>& changes, glm::ivec3 
 Session::Session() {
     // An empty model always fits.
     static_cast<void>(rebuild());
+    followPalette();
 }
 
 Status Session::perform(Action action) {
@@ -46,11 +47,25 @@ Status Session::follow(const Changed& changed) {
     if (!changed.any()) return {};
     ++revision_;
     if (changed.scene || changed.palette || !changed.voxels.empty()) ++modelRevision_;
+    if (changed.palette) followPalette();
     if (changed.scene) return rebuild();
     for (const Changed::Voxels& voxels : changed.voxels) {
         if (Status followed = followVoxels(voxels); !followed) return followed;
     }
     return {};
+}
+
+void Session::showVariant(std::optional<std::size_t> variant) {
+    variant_ = variant;
+    ++revision_;
+    ++modelRevision_;
+    followPalette();
+}
+
+void Session::followPalette() {
+    const Palette& palette = document().palette;
+    if (variant_ && *variant_ >= palette.variants.size()) variant_.reset();
+    shownPalette_ = variant_ ? palette.withVariant(*variant_) : palette;
 }
 
 Status Session::followVoxels(const Changed::Voxels& changed) {

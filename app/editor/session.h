@@ -55,6 +55,13 @@ class Session {
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
     [[nodiscard]] std::uint64_t modelRevision() const { return modelRevision_; }
 
+    // The palette variant that is shown and whose colours are edited; nothing: the palette's own.
+    // Another document starts with its own.
+    [[nodiscard]] std::optional<std::size_t> variant() const { return variant_; }
+    void showVariant(std::optional<std::size_t> variant);
+    // The document's palette in the colours of that variant.
+    [[nodiscard]] const Palette& shownPalette() const { return shownPalette_; }
+
     // Fails, with nothing changed, when the model would outgrow what an octree can hold.
     [[nodiscard]] Status perform(Action action);
     [[nodiscard]] Status undo();
@@ -115,12 +122,15 @@ class Session {
     [[nodiscard]] Status rebuild();
     [[nodiscard]] Status adopt(Document document);
     void chooseActiveNode();
+    void followPalette();
 
     Workspace workspace_;
     History history_;
     LiveOctree octree_;
     ShownOctree shown_;
     IBox bounds_;
+    std::optional<std::size_t> variant_;
+    Palette shownPalette_;
     std::uint64_t revision_ = 1;
     std::uint64_t modelRevision_ = 1;
     std::uint64_t lastMergeKey_ = 0;

@@ -1,8 +1,8 @@
 // The session's files: what opening and saving do to it.
 #include <algorithm>
 
-#include "core/edit/make_action.h"
 #include "app/editor/session.h"
+#include "core/edit/make_action.h"
 #include "core/io/formats.h"
 #include "core/io/profile_json.h"
 
@@ -20,8 +20,7 @@ Status Session::adopt(Document document) {
         static_cast<void>(rebuild());
         return rebuilt;
     }
-    ++revision_;
-    ++modelRevision_;
+    showVariant(std::nullopt);
     history_.clear();
     history_.markSaved();
     warnings_.clear();

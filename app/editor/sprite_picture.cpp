@@ -29,7 +29,8 @@ Result<Image> spritePicture(const Session& session, const Camera& camera, ViewHi
     if (!seen) return Failure(seen.error());
     const SpriteView& view = *seen;
     const GameProfile& profile = session.profile();
-    const LitPalette lit = litPalette(session.document().palette, view.light8, profile.outline);
+    const LitPalette lit =
+        litPalette(session.shownPalette(), view.light8, profile.outline, profile.shading);
     const SpriteBuffer buffer =
         castSprite(session.octree().view(session.bounds()), view.lattice, lit);
     const Image sprite = trimmed(buffer.image());

@@ -98,7 +98,7 @@ Scene SpriteScene::make(const Session& session, const GpuOctree& edited, const V
     PlacedEntity shown = session.placedInGame();
     shown.anchorMetres.y +=
         groundClearanceMetres(profile) - groundClearanceMetres(session.profile());
-    std::vector<Subject> subjects{{&edited, &document.palette, shown}};
+    std::vector<Subject> subjects{{&edited, &session.shownPalette(), shown}};
     for (const ExtraModel* extra : subjects_) {
         if (extra == nullptr) continue;
         Entity entity = extra->entity;
@@ -108,7 +108,7 @@ Scene SpriteScene::make(const Session& session, const GpuOctree& edited, const V
                             placedOnGround(entity, extra->bounds, profile)});
     }
     scene.entities.reserve(entityCount());
-    scene.entities.push_back({&edited, &document.palette, shown, &histories.front()});
+    scene.entities.push_back({&edited, &session.shownPalette(), shown, &histories.front()});
     for (std::size_t i = 0; i < formation_.copies.size(); ++i) {
         const Copy copy = walked(formation_.copies[i], formation_, walkedMetres_);
         const Subject& subject = subjects[static_cast<std::size_t>(copy.subject)];
