@@ -6,8 +6,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
+
+#include "app/editor/view_cube.h"
 
 namespace voxprite::editor {
+namespace {
+
+// How far a notch of the wheel goes where it moves as a drag does, and the other way round.
+constexpr double kPxPerNotch = 30.0;
+
+}  // namespace
 
 Frame& ViewCanvas::frame() {
     if (!frame_) frame_ = std::make_unique<Frame>(sizePx_);
@@ -45,33 +54,90 @@ ViewInput ViewCanvas::begin(Ui& ui, const char* name, ImVec2 min, ImVec2 size) {
         input.pathPx.push_back(at -
                                glm::dvec2(static_cast<double>(min.x), static_cast<double>(min.y)));
     }
-    const bool space = io.KeysDown[GLFW_KEY_SPACE];
+    const HeldKeys keys{io.KeyShift, io.KeyCtrl, io.KeysDown[GLFW_KEY_SPACE]};
+    const InputSettings& habits = ui.settings.input;
     input.hovered = ImGui::IsItemHovered();
     const bool active = ImGui::IsItemActive();
-    input.pressed = active && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !space;
+    // What a drag does is settled as it begins: a key let go of first changes nothing.
+    if (!active) drag_ = CameraMove::none;
+    for (const int button : {0, 1, 2}) {
+        if (active && drag_ == CameraMove::none && !pressedHere_ && ImGui::IsMouseClicked(button)) {
+            drag_ = moveByDrag(habits.navigation, button, keys);
+        }
+    }
+    input.drag = drag_;
+    input.movedPx = {static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)};
+    input.moving = drag_ != CameraMove::none;
+    input.pressed = active && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !input.moving;
     if (input.pressed) pressedHere_ = true;
     input.released = pressedHere_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left);
     input.held = pressedHere_ && !input.released;
     if (input.released) pressedHere_ = false;
-    input.moving = active && !input.held && !input.released;
-    if (input.hovered || active) input.wheel = static_cast<double>(io.MouseWheel);
+    input.roll = moveByWheel(habits.navigation, keys);
+    input.invertWheel = habits.invertWheel;
+    if (input.hovered || active) {
+        input.wheel = static_cast<double>(io.MouseWheel);
+        input.wheelAcross = static_cast<double>(io.MouseWheelH);
+    }
     return input;
 }
 
-void ViewCanvas::navigate(ViewInput& input, OrbitCamera& camera) {
-    const ImGuiIO& io = ImGui::GetIO();
-    const glm::dvec2 moved(static_cast<double>(io.MouseDelta.x),
-                           static_cast<double>(io.MouseDelta.y));
-    if (input.moving) {
-        const bool pan = ImGui::IsMouseDown(ImGuiMouseButton_Middle) ||
-                         ImGui::IsMouseDown(ImGuiMouseButton_Left);
-        if (pan) {
-            camera.pan(moved, input.sizePx);
-        } else {
-            camera.orbit(moved);
-        }
+void ViewCanvas::navigate(const ViewInput& input, OrbitCamera& camera) {
+    const auto move = [&](CameraMove kind, glm::dvec2 px) {
+        if (kind == CameraMove::orbit) camera.orbit(px);
+        if (kind == CameraMove::pan) camera.pan(px, input.sizePx);
+    };
+    if (input.drag == CameraMove::zoom) {
+        const glm::dvec2 middle = glm::dvec2(input.sizePx) * 0.5;
+        camera.zoom(-input.movedPx.y / kPxPerNotch, middle, input.sizePx);
+    } else {
+        move(input.drag, input.movedPx);
     }
-    if (input.wheel != 0.0) camera.zoom(input.wheel, input.pointerPx, input.sizePx);
+    if (input.wheel == 0.0 && input.wheelAcross == 0.0) return;
+    if (input.roll == CameraMove::zoom) {
+        const double notches = input.invertWheel ? -input.wheel : input.wheel;
+        camera.zoom(notches, input.pointerPx, input.sizePx);
+    } else {
+        move(input.roll, glm::dvec2(input.wheelAcross, input.wheel) * kPxPerNotch);
+    }
+}
+
+ImVec2 ViewCanvas::cubeMiddle(const Theme& theme) const {
+    const float inset = theme.px(kViewCubeRadius) + theme.px(8);
+    return {corner_.x + static_cast<float>(sizePx_.x) - inset, corner_.y + inset};
+}
+
+void ViewCanvas::useViewCube(Ui& ui, ViewInput& input, OrbitCamera& camera, CameraTurn& turn) {
+    const ImVec2 middle = cubeMiddle(ui.theme);
+    const double radius = static_cast<double>(ui.theme.px(kViewCubeRadius));
+    ui.probe.mark("view.cube", {middle.x - ui.theme.px(8), middle.y - ui.theme.px(8)},
+                  {middle.x + ui.theme.px(8), middle.y + ui.theme.px(8)});
+    const glm::dvec2 fromMiddle =
+        input.pointerPx - glm::dvec2(static_cast<double>(middle.x - corner_.x),
+                                     static_cast<double>(middle.y - corner_.y));
+    const bool over = glm::length(fromMiddle) <= radius;
+    const double halfEdge = static_cast<double>(ui.theme.px(kViewCubeHalfEdge));
+    const auto part = viewCubePartAt(camera, halfEdge, fromMiddle);
+    cubeLit_.reset();
+    if (over && input.hovered && !input.moving && !input.held) cubeLit_ = part;
+    if (over && input.pressed) cubePress_ = CubePress{part};
+    if (over && !input.held) input.hovered = false;
+    if (!cubePress_) return;
+
+    cubePress_->dragged = cubePress_->dragged || ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+    if (cubePress_->dragged) {
+        camera.orbit(input.movedPx);
+    } else if (input.released && cubePress_->part) {
+        OrbitCamera wanted = camera;
+        wanted.lookFrom(glm::dvec3(*cubePress_->part));
+        turn.start(camera, wanted);
+    }
+    if (input.released) cubePress_.reset();
+    input.hovered = input.pressed = input.held = input.released = false;
+}
+
+void ViewCanvas::drawViewCube(Ui& ui, const OrbitCamera& camera) const {
+    editor::drawViewCube(ui.theme, overlay(), cubeMiddle(ui.theme), camera, cubeLit_);
 }
 
 void ViewCanvas::caption(Ui& ui, const std::string& title, const std::string& detail) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "app/editor/orbit_camera.h"
+#include "app/editor/camera_turn.h"
+#include "app/editor/navigation.h"
 #include "app/editor/ui.h"
 #include "render/frame.h"
 
@@ -21,7 +23,13 @@ struct ViewInput {
     bool released = false;  // it went up again
     bool held = false;      // it is down, and went down here
     bool moving = false;    // the camera is being moved
-    double wheel = 0.0;     // notches over this view
+    double wheel = 0.0;     // notches over this view, upwards
+    double wheelAcross = 0.0;
+    // What a drag and the wheel do to the camera.
+    CameraMove drag = CameraMove::none;
+    CameraMove roll = CameraMove::zoom;
+    glm::dvec2 movedPx{0.0};
+    bool invertWheel = false;
 };
 
 class ViewCanvas {
@@ -34,10 +42,13 @@ class ViewCanvas {
         return {corner_.x + static_cast<float>(viewPx.x), corner_.y + static_cast<float>(viewPx.y)};
     }
     void caption(Ui& ui, const std::string& title, const std::string& detail);
+    // The cube in the corner takes what the mouse does over it out of `input`.
+    void useViewCube(Ui& ui, ViewInput& input, OrbitCamera& camera, CameraTurn& turn);
+    void drawViewCube(Ui& ui, const OrbitCamera& camera) const;
     void end();
 
-    // Orbit with the right button, pan with the middle one or Space, zoom with the wheel.
-    static void navigate(ViewInput& input, OrbitCamera& camera);
+    // Moves the camera as the input says.
+    static void navigate(const ViewInput& input, OrbitCamera& camera);
 
     // The picture, at the size of the view.
     [[nodiscard]] Frame& frame();
@@ -47,6 +58,15 @@ class ViewCanvas {
     ImVec2 corner_{0, 0};
     glm::ivec2 sizePx_{1};
     bool pressedHere_ = false;
+    CameraMove drag_ = CameraMove::none;
+    // While the button is held that went down on the view cube.
+    struct CubePress {
+        std::optional<glm::ivec3> part;
+        bool dragged = false;
+    };
+    std::optional<CubePress> cubePress_;
+    std::optional<glm::ivec3> cubeLit_;
+    [[nodiscard]] ImVec2 cubeMiddle(const Theme& theme) const;
     std::unique_ptr<Frame> frame_;
 };
 

@@ -10,18 +10,29 @@
 namespace voxprite::editor {
 namespace {
 
-// From where both cameras look.
+template <class View>
+void turn(View& view, double yawDegrees, double pitchDegrees) {
+    OrbitCamera wanted = view.camera();
+    wanted.yawDegrees = yawDegrees;
+    wanted.pitchDegrees = pitchDegrees;
+    view.turn().start(view.camera(), wanted);
+}
+
+// Both cameras look from there.
+void look(CommandContext& c, double yawDegrees, double pitchDegrees) {
+    turn(c.editView, yawDegrees, pitchDegrees);
+    turn(c.spriteView, yawDegrees, pitchDegrees);
+}
+
 template <int yawDegrees, int pitchDegrees>
 constexpr Command lookCommand(Command command) {
     command.menu = MenuId::view;
-    command.run = [](CommandContext& c) {
-        for (OrbitCamera* camera : {&c.editView.camera(), &c.spriteView.camera()}) {
-            camera->yawDegrees = yawDegrees;
-            camera->pitchDegrees = pitchDegrees;
-        }
-    };
+    command.run = [](CommandContext& c) { look(c, yawDegrees, pitchDegrees); };
     return command;
 }
+
+// The eye on a diagonal of a cube.
+constexpr double kIsometricPitchDegrees = 35.264389682754654;
 
 template <bool ViewSettings::*flag>
 constexpr Command switchCommand(Command command) {
@@ -78,6 +89,25 @@ std::span<const Command> viewCommands() {
                              .tag = "view_bottom",
                              .name = "From below",
                              .chords = {control(GLFW_KEY_7)}}),
+        Command{.id = viewIsometric,
+                .tag = "view_isometric",
+                .menu = MenuId::view,
+                .name = "Isometric",
+                .icon = icon::kIsometric,
+                .chords = {key(GLFW_KEY_9)},
+                .run = [](CommandContext& c) { look(c, 45.0, kIsometricPitchDegrees); }},
+        Command{.id = toggleOrthographic,
+                .tag = "orthographic",
+                .menu = MenuId::view,
+                .name = "Without perspective",
+                .icon = icon::kPerspective,
+                .chords = {key(GLFW_KEY_5)},
+                .run =
+                    [](CommandContext& c) {
+                        bool& flag = c.editView.camera().orthographic;
+                        flag = !flag;
+                    },
+                .on = [](const CommandContext& c) { return c.editView.camera().orthographic; }},
         switchCommand<&ViewSettings::lockCameras>({.id = toggleLockCameras,
                                                    .tag = "lock_cameras",
                                                    .name = "Lock the cameras together",
@@ -88,6 +118,12 @@ std::span<const Command> viewCommands() {
             {.id = toggleEdges, .tag = "voxel_edges", .name = "Voxel edges", .separator = true}),
         switchCommand<&ViewSettings::editGround>(
             {.id = toggleEditGround, .tag = "edit_ground", .name = "Grid under the model"}),
+        switchCommand<&ViewSettings::boundsBox>(
+            {.id = toggleBounds, .tag = "bounds", .name = "Box around the model"}),
+        switchCommand<&ViewSettings::occlusion>(
+            {.id = toggleOcclusion, .tag = "occlusion", .name = "Soft shade in corners"}),
+        switchCommand<&ViewSettings::sunShadow>(
+            {.id = toggleSunShadow, .tag = "sun_shadow", .name = "Shadows in the edit view"}),
         switchCommand<&ViewSettings::proxyBox>({.id = toggleProxyBox,
                                                 .tag = "proxy_box",
                                                 .name = "Proxy box",
