@@ -13,17 +13,18 @@
 
 namespace voxprite {
 
-// binding = N of each block
+// binding = N of each block of uniforms
 enum class BlockBinding : std::uint32_t {
     octree = 0,
-    lattice = 1,
-    sprite = 2,
+    spriteDraw = 2,
     camera = 3,
     backdrop = 4,
-    blob = 5,
     voxelView = 6,
     overlay = 7
 };
+
+// binding = N of each buffer
+enum class BufferBinding : std::uint32_t { sprites = 0, spriteCorners = 1, blobs = 2 };
 
 // binding = N of each texture
 enum class TextureUnit : std::uint32_t { svo = 0, palette = 1, spriteColours = 2, spriteIds = 3 };

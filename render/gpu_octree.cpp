@@ -10,8 +10,7 @@ namespace voxprite {
 
 namespace {
 
-// kWidthBits of shaders/shared/octree.glsl.
-constexpr std::uint32_t kWidth = 4096;
+constexpr std::uint32_t kWidth = GpuOctree::kWidth;
 
 // Payloads are uploaded as they lie in memory: low word first.
 static_assert(std::endian::native == std::endian::little);
@@ -62,9 +61,9 @@ void GpuOctree::upload(const OctreeView& octree) {
         const std::uint32_t payloadTexels = roomyCapacity(2 * octree.payloads.size());
         payloadCapacity_ = payloadTexels / 2;
         payloadOffset_ = nodeCapacity_;
+        rows_ = static_cast<int>((nodeCapacity_ + payloadTexels) / kWidth);
         texture_ = gl::createTexture2d();
-        glTextureStorage2D(texture_.id(), 1, GL_R32UI, static_cast<GLsizei>(kWidth),
-                           static_cast<GLsizei>((nodeCapacity_ + payloadTexels) / kWidth));
+        glTextureStorage2D(texture_.id(), 1, GL_R32UI, static_cast<GLsizei>(kWidth), rows_);
         glTextureParameteri(texture_.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         glTextureParameteri(texture_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     }

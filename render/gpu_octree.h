@@ -14,6 +14,8 @@ namespace voxprite {
 
 class GpuOctree {
   public:
+    static constexpr int kWidth = 4096;  // of the texture: kWidthBits of shaders/shared/octree.glsl
+
     GpuOctree();
     // Uploads all of it. Room is left for growth.
     void upload(const OctreeView& octree);
@@ -29,7 +31,8 @@ class GpuOctree {
     [[nodiscard]] int maxDepth() const { return maxDepth_; }
     [[nodiscard]] std::uint32_t payloadOffset() const { return payloadOffset_; }  // in texels
     [[nodiscard]] std::uint32_t texture() const { return texture_.id(); }
-    [[nodiscard]] OctreeBlock block() const;  // what shaders need to read it
+    [[nodiscard]] int rows() const { return rows_; }  // of the texture
+    [[nodiscard]] OctreeBlock block() const;          // what shaders need to read it
 
   private:
     void uploadRuns(const OctreeView& octree, const OctreeChanges& changes);
@@ -38,6 +41,7 @@ class GpuOctree {
     glm::ivec3 size_{0};
     glm::ivec3 treeFromVoxel_{0};
     int maxDepth_ = 1;
+    int rows_ = 0;
     std::uint32_t payloadOffset_ = 0;
     std::uint32_t nodeCapacity_ = 0;  // words, whole rows of the texture
     std::uint32_t payloadCapacity_ = 0;

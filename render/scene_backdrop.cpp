@@ -6,6 +6,9 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "render/gl/draw_state.h"
 #include "render/gpu_blocks.h"
@@ -39,9 +42,8 @@ struct BackdropBlock {
 static_assert(sizeof(BackdropBlock) == 192);
 
 struct BlobBlock {
-    std::array<glm::vec4, 4> blob_corners{};
-    float blob_strength = 0.0f;
-    std::array<float, 3> padding{};
+    std::array<glm::vec4, 4> corners{};
+    glm::vec4 strength{0.0f};  // x
 };
 static_assert(sizeof(BlobBlock) == 80);
 
@@ -68,6 +70,28 @@ Footprint footprintOf(const PlacedEntity& placed) {
     return {{a, across}, {0.0, std::sqrt(std::max(zz - across * across, 0.0))}};
 }
 
+std::optional<BlobBlock> blobUnder(const PlacedEntity& placed, const Ground& ground,
+                                   const Camera& camera, const glm::dmat4& clipFromEye) {
+    const glm::dvec3 centre = placed.centreMetres();
+    const double radius = placed.radiusMetres();
+    // The higher the model, the fainter: gone where it hovers two of its own heights up.
+    const double hover = (centre.y - ground.heightMetres) / std::max(radius, 1e-9);
+    const double strength = kBlobStrength * std::clamp(1.5 - 0.5 * hover, 0.0, 1.0);
+    if (hover < -1.0 || strength <= 0.0) return std::nullopt;
+    const Footprint footprint = footprintOf(placed);
+    const glm::dvec3 middle(centre.x - camera.eyeMetres.x, ground.heightMetres - camera.eyeMetres.y,
+                            centre.z - camera.eyeMetres.z);
+    BlobBlock block;
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+        const glm::dvec2 along = footprint.a * ((corner & 1) != 0 ? 1.0 : -1.0) +
+                                 footprint.b * ((corner & 2) != 0 ? 1.0 : -1.0);
+        const glm::dvec3 point = middle + glm::dvec3(along.x, 0.0, along.y);
+        block.corners[corner] = glm::vec4(clipFromEye * glm::dvec4(point, 1.0));
+    }
+    block.strength.x = static_cast<float>(strength);
+    return block;
+}
+
 }  // namespace
 
 Result<SceneBackdrop> SceneBackdrop::create() {
@@ -89,11 +113,7 @@ void SceneBackdrop::draw(const Scene& scene, const Camera& camera) {
     if (!scene.ground || !scene.shadowBlobs || camera.eyeMetres.y <= scene.ground->heightMetres) {
         return;
     }
-    gl::apply({.blend = true});
-    gl::useProgram(blob_);
-    for (const SceneEntity& entity : scene.entities) {
-        drawBlob(entity.placed, *scene.ground, camera);
-    }
+    drawBlobs(scene, camera);
 }
 
 void SceneBackdrop::drawPlane(const Scene& scene, const Camera& camera) {
@@ -121,28 +141,20 @@ void SceneBackdrop::drawPlane(const Scene& scene, const Camera& camera) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void SceneBackdrop::drawBlob(const PlacedEntity& placed, const Ground& ground,
-                             const Camera& camera) {
-    const glm::dvec3 centre = placed.centreMetres();
-    const double radius = placed.radiusMetres();
-    // The higher the model, the fainter: gone where it hovers two of its own heights up.
-    const double hover = (centre.y - ground.heightMetres) / std::max(radius, 1e-9);
-    const double strength = kBlobStrength * std::clamp(1.5 - 0.5 * hover, 0.0, 1.0);
-    if (hover < -1.0 || strength <= 0.0) return;
-    const Footprint footprint = footprintOf(placed);
+void SceneBackdrop::drawBlobs(const Scene& scene, const Camera& camera) {
     const glm::dmat4 clipFromEye = camera.clipFromCameraRelative();
-    const glm::dvec3 middle(centre.x - camera.eyeMetres.x, ground.heightMetres - camera.eyeMetres.y,
-                            centre.z - camera.eyeMetres.z);
-    BlobBlock block;
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-        const glm::dvec2 along = footprint.a * ((corner & 1) != 0 ? 1.0 : -1.0) +
-                                 footprint.b * ((corner & 2) != 0 ? 1.0 : -1.0);
-        const glm::dvec3 point = middle + glm::dvec3(along.x, 0.0, along.y);
-        block.blob_corners[corner] = glm::vec4(clipFromEye * glm::dvec4(point, 1.0));
+    std::vector<BlobBlock> blobs;
+    blobs.reserve(scene.entities.size());
+    for (const SceneEntity& entity : scene.entities) {
+        if (const auto blob = blobUnder(entity.placed, *scene.ground, camera, clipFromEye)) {
+            blobs.push_back(*blob);
+        }
     }
-    block.blob_strength = static_cast<float>(strength);
-    blobBlock_.set(BlockBinding::blob, block);
-    glDrawArrays(GL_TRIANGLES, 0, 6);
+    if (blobs.empty()) return;
+    blobs_.set(BufferBinding::blobs, std::span<const BlobBlock>(blobs));
+    gl::apply({.blend = true});
+    gl::useProgram(blob_);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 6, static_cast<GLsizei>(blobs.size()));
 }
 
 }  // namespace voxprite

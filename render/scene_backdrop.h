@@ -17,12 +17,13 @@ class SceneBackdrop {
 
   private:
     void drawPlane(const Scene& scene, const Camera& camera);
-    void drawBlob(const PlacedEntity& placed, const Ground& ground, const Camera& camera);
+    void drawBlobs(const Scene& scene, const Camera& camera);
 
     gl::Program plane_;
     gl::Program blob_;
     gl::VertexArray nothing_ = gl::createVertexArray();
-    gl::UniformBuffer cameraBlock_, backdropBlock_, blobBlock_;
+    gl::UniformBuffer cameraBlock_, backdropBlock_;
+    gl::StorageBuffer blobs_;
 };
 
 }  // namespace voxprite

@@ -5,60 +5,79 @@
 #include <algorithm>
 #include <span>
 
-#include "core/sprite/lattice_memo.h"
 #include "render/gl/draw_state.h"
+#include "render/palette_texture.h"
 #include "render/scene_backdrop.h"
+#include "render/scene_look.h"
 #include "render/sprite_atlas.h"
-#include "render/sprite_blocks.h"
 #include "render/sprite_caster.h"
 
 namespace voxprite {
 
 namespace {
 
-// A sprite that is on the screen this frame.
-struct SeenSprite {
-    const SceneEntity* entity = nullptr;
-    SpriteView view;
-    LatticeView shown;          // the part of the lattice to cast and to draw
-    glm::ivec2 visibleSize{0};  // of that, the part that is on the screen
-    LitPalettes::Numbered lit;
-};
-
-// The whole sprite where most of it is on the screen: it then stays the same while it moves across
-// the edge, and others show it too. Of a sprite seen close only what is on the screen.
-LatticeView shownLattice(const LatticeView& whole, const LatticeView& visible) {
-    constexpr int kLargestWhole = 4096;  // less than any driver's limit
-    const auto area = [](glm::ivec2 size) { return std::int64_t{size.x} * size.y; };
-    const bool small = whole.size.x <= kLargestWhole && whole.size.y <= kLargestWhole;
-    return small && 2 * area(visible.size) >= area(whole.size) ? whole : visible;
-}
-
-// The screen pixels of the region's rectangle: how many fragments a single pass casts for.
-std::uint64_t fragmentCount(const SeenSprite& sprite, const Camera& camera) {
-    const double scale =
-        sprite.view.metresPerPx / camera.metresPerScreenPx(sprite.view.planeDepthMetres);
-    const double area =
-        scale * scale * static_cast<double>(sprite.visibleSize.x) * sprite.visibleSize.y;
-    const double screen = static_cast<double>(camera.viewportPx.x) * camera.viewportPx.y;
-    return static_cast<std::uint64_t>(std::min(area, screen));
-}
+// 64 MiB of sprites: half of what every driver takes as one buffer.
+constexpr std::size_t kMostSprites = std::size_t{1} << 18;
 
 std::uint64_t pixelCount(const LatticeView& lattice) {
     return static_cast<std::uint64_t>(lattice.size.x) * static_cast<std::uint64_t>(lattice.size.y);
 }
 
 // Sprites that one draw call puts onto the screen, in the order of the scene.
-struct Batch {
-    const SpriteSheet* sheet = nullptr;
-    std::vector<SpriteBlock> sprites;
+struct SpriteRun {
+    const SpriteSheet* sheet = nullptr;  // where they are finished (spriteBuffer) ...
+    std::uint32_t octreeTexture = 0;     // ... or are cast from (singlePass)
+    std::int32_t first = 0;
+    std::int32_t count = 0;
     bool narrow = true;  // all of them
+};
+
+// A sprite to cast with its batch.
+struct PendingCast {
+    SpriteKey key;
+    AtlasPlace place;
+    CastJob job;
+};
+
+// Sprites that go to the GPU together.
+struct Batch {
+    std::vector<SpriteBlock> sprites;
+    std::vector<glm::vec4> corners;
+    std::vector<SpriteRun> runs;
+    std::vector<PendingCast> casts;
 
     void clear() {
-        sheet = nullptr;
         sprites.clear();
-        narrow = true;
+        corners.clear();
+        runs.clear();
+        casts.clear();
     }
+    SpriteBlock& add(const SeenSprite& seen, bool boxes) {
+        corners.insert(corners.end(), seen.corners.begin(),
+                       boxes ? seen.corners.end() : seen.corners.begin() + 4);
+        return sprites.emplace_back(seen.block);
+    }
+    // The run that the next sprite belongs to.
+    SpriteRun& runOf(const SpriteSheet* sheet, std::uint32_t octreeTexture) {
+        if (runs.empty() || runs.back().sheet != sheet ||
+            runs.back().octreeTexture != octreeTexture) {
+            runs.push_back({sheet, octreeTexture, static_cast<std::int32_t>(sprites.size())});
+        }
+        return runs.back();
+    }
+};
+
+// What is drawn now, and by which rules.
+struct Pass {
+    Frame& frame;
+    const Camera& camera;
+    const GameProfile& profile;
+    SpriteMode mode;
+    SceneStats& stats;
+    int batches = 0;
+
+    [[nodiscard]] bool deep() const { return profile.depth == DepthRule::perPixel; }
+    [[nodiscard]] bool boxes() const { return profile.proxy == ProxyShape::box; }
 };
 
 }  // namespace
@@ -67,171 +86,215 @@ struct SceneRenderer::Impl {
     SpriteCaster caster;
     SceneBackdrop backdrop;
     SpriteAtlas atlas;
-    LatticeMemo lattices;
-    LitPalettes litPalettes;
-    LatticePrograms blit{"sprite_quad.vert", "sprite_blit.frag"};
-    // Deep: with a depth for each pixel.
-    LatticePrograms blitDeep{"sprite_quad.vert", "sprite_blit.frag", {"PER_PIXEL_DEPTH"}};
-    LatticePrograms single{"sprite_quad.vert", "sprite_single.frag"};
-    LatticePrograms singleDeep{"sprite_quad.vert", "sprite_single.frag", {"PER_PIXEL_DEPTH"}};
-    gl::StorageBuffer sprites;
-    gl::VertexArray nothing = gl::createVertexArray();
-    Batch batch;  // kept for its memory
+    SceneLook look;
+    OctreeArena octrees;
+    LitRows litRows;
+    SpriteProgram blit{"sprite_quad.vert", "sprite_blit.frag"};
+    SpriteProgram single{"sprite_quad.vert", "sprite_single.frag"};
+    SpriteShapes shapes;
+    gl::StorageBuffer sprites, corners;
+    Batch batch;
+    // The batch, on the GPU too, is all that the look before saw, to be drawn in this way.
+    std::optional<SpriteMode> held;
 
     Impl(SpriteCaster spriteCaster, SceneBackdrop sceneBackdrop, const AtlasLimits& limits)
         : caster(std::move(spriteCaster)), backdrop(std::move(sceneBackdrop)), atlas(limits) {}
 
-    [[nodiscard]] Result<std::vector<SeenSprite>> look(const Scene& scene, const Camera& camera,
-                                                       const GameProfile& profile,
-                                                       SceneStats& stats);
-    [[nodiscard]] Status drawBuffered(Frame& frame, std::span<const SeenSprite> seen,
-                                      const Camera& camera, const GameProfile& profile,
-                                      SceneStats& stats);
-    [[nodiscard]] Status drawSingle(std::span<const SeenSprite> seen, const Camera& camera,
-                                    const GameProfile& profile, SceneStats& stats);
-    [[nodiscard]] Result<std::optional<AtlasPlace>> placeOf(const SeenSprite& sprite,
-                                                            SceneStats& stats);
-    [[nodiscard]] Status drawBatch(Frame& frame, const GameProfile& profile, SceneStats& stats);
-    void drawSprites(std::span<const SpriteBlock> blocks, SceneStats& stats);
+    [[nodiscard]] Status drawSprites(Pass& pass);
+    [[nodiscard]] Status gather(Pass& pass);
+    [[nodiscard]] Status addFinished(Pass& pass, const SeenSprite& sprite);
+    [[nodiscard]] Result<std::optional<AtlasPlace>> placeOf(Pass& pass, const SeenSprite& sprite);
+    [[nodiscard]] Status addToCast(Pass& pass, const SeenSprite& sprite);
+    [[nodiscard]] Result<int> litRowOf(Pass& pass, const SeenSprite& sprite);
+    [[nodiscard]] Status castBatch(Pass& pass);
+    [[nodiscard]] Status finish(Pass& pass);
+    [[nodiscard]] Status flush(Pass& pass);
+    [[nodiscard]] Status drawRuns(Pass& pass);
 };
 
-Result<std::vector<SeenSprite>> SceneRenderer::Impl::look(const Scene& scene, const Camera& camera,
-                                                          const GameProfile& profile,
-                                                          SceneStats& stats) {
-    litPalettes.beginFrame();
-    std::vector<SeenSprite> seen;
-    seen.reserve(scene.entities.size());
-    for (const SceneEntity& entity : scene.entities) {
-        if (entity.octree->texture() == 0) {
-            ++stats.unseen;
-            continue;
-        }
-        const Result<SpriteViewResult> result =
-            viewSprite(entity.placed, camera, profile, entity.history, &lattices);
-        if (!result) return tl::unexpected(result.error());
-        LatticeView visible;
-        if (result->view) visible = visibleLattice(*result->view, camera);
-        if (!result->view || visible.size.x <= 0 || visible.size.y <= 0) {
-            ++stats.unseen;
-            continue;
-        }
-        const SpriteView& view = *result->view;
-        if (stats.drawn++ == 0) {
-            stats.sigmaInForce = view.sigmaInForce;
-            stats.screenPxPerPx = view.screenPxPerPx;
-        }
-        seen.push_back({&entity, view, shownLattice(view.lattice, visible), visible.size,
-                        litPalettes.of(*entity.palette, view.light8, profile.outline)});
+// The rows of the sprite's palette. What is gathered is drawn first if that makes room.
+Result<int> SceneRenderer::Impl::litRowOf(Pass& pass, const SeenSprite& sprite) {
+    const LitPalettes::Numbered lit = look.litOf(sprite, pass.profile);
+    std::optional<int> row = litRows.rowOf(lit.number, *lit.lit);
+    if (!row) {
+        if (const Status drawn = flush(pass); !drawn) return tl::unexpected(drawn.error());
+        litRows.forgetAll();
+        row = litRows.rowOf(lit.number, *lit.lit);
     }
-    return seen;
+    return *row;
 }
 
-// Where the finished sprite lies, cast now if it is not held; nothing when the batch has to be
-// drawn first to make room.
-Result<std::optional<AtlasPlace>> SceneRenderer::Impl::placeOf(const SeenSprite& sprite,
-                                                               SceneStats& stats) {
-    const GpuOctree& octree = *sprite.entity->octree;
-    const SpriteKey key{octree.revision(), 0, sprite.shown, sprite.lit.number};
-    if (const std::optional<AtlasPlace> held = atlas.find(key)) {
-        ++stats.castsReused;
-        return held;
+// Where the sprite lies, or will when the batch is cast; nothing when the batch has to be drawn
+// first to make room.
+Result<std::optional<AtlasPlace>> SceneRenderer::Impl::placeOf(Pass& pass,
+                                                               const SeenSprite& sprite) {
+    const LatticeView& lattice = sprite.key.lattice;
+    if (const std::optional<AtlasPlace> known = atlas.find(sprite.key)) {
+        ++pass.stats.castsReused;
+        return known;
     }
-    if (const Status fits = SpriteCaster::checkSize(sprite.shown.size); !fits) {
+    if (const Status fits = SpriteCaster::checkSize(lattice.size); !fits) {
         return tl::unexpected(fits.error());
     }
-    const std::optional<AtlasPlace> place = atlas.add(key, sprite.shown.size);
+    const Result<int> row = litRowOf(pass, sprite);
+    if (!row) return tl::unexpected(row.error());
+    const std::optional<AtlasPlace> place = atlas.add(sprite.key, lattice.size);
     if (!place) return place;
-    const Status done = caster.cast(octree, sprite.shown, *sprite.lit.lit, place->framebuffer(),
-                                    glm::ivec2(place->corner));
-    if (!done) {
-        atlas.forget(key);
-        return tl::unexpected(done.error());
-    }
-    ++stats.casts;
-    stats.rays += pixelCount(sprite.shown);
+    const OctreePlace octree = octrees.placeOf(*sprite.entity.octree);
+    PendingCast& cast = batch.casts.emplace_back(PendingCast{sprite.key, *place, {}});
+    cast.job = {sprite.block, 0, octree.texture, sprite.narrow};
+    cast.job.block.atlas_place = place->corner;
+    placeInputs(cast.job.block, octree, *row);
+    ++pass.stats.casts;
+    pass.stats.rays += pixelCount(lattice);
     return place;
 }
 
-void SceneRenderer::Impl::drawSprites(std::span<const SpriteBlock> blocks, SceneStats& stats) {
-    sprites.set(BlockBinding::sprite, blocks);
-    glBindVertexArray(nothing.id());
-    const bool box = blocks.front().proxy_is_box != 0;
+Status SceneRenderer::Impl::addFinished(Pass& pass, const SeenSprite& sprite) {
+    Result<std::optional<AtlasPlace>> place = placeOf(pass, sprite);
+    if (place && !*place) {
+        if (const Status drawn = flush(pass); !drawn) return drawn;
+        place = placeOf(pass, sprite);
+    }
+    if (!place) return tl::unexpected(place.error());
+    if (!*place) return fail("a page of the sprite atlas holds no sprite at all");
+    SpriteRun& run = batch.runOf((*place)->sheet, 0);
+    run.narrow = run.narrow && sprite.narrow;
+    ++run.count;
+    batch.add(sprite, pass.boxes()).atlas_place = (*place)->corner;
+    return {};
+}
+
+Status SceneRenderer::Impl::addToCast(Pass& pass, const SeenSprite& sprite) {
+    const Result<int> row = litRowOf(pass, sprite);
+    if (!row) return tl::unexpected(row.error());
+    const OctreePlace octree = octrees.placeOf(*sprite.entity.octree);
+    SpriteRun& run = batch.runOf(nullptr, octree.texture);
+    run.narrow = run.narrow && sprite.narrow;
+    ++run.count;
+    placeInputs(batch.add(sprite, pass.boxes()), octree, *row);
+    pass.stats.rays += sprite.fragments;
+    return {};
+}
+
+Status SceneRenderer::Impl::castBatch(Pass& pass) {
+    std::vector<CastJob> jobs;
+    jobs.reserve(batch.casts.size());
+    for (PendingCast& cast : batch.casts) {
+        // Not before: the atlas may have grown since the place was given.
+        cast.job.framebuffer = cast.place.framebuffer();
+        jobs.push_back(cast.job);
+    }
+    const Status done = caster.cast(jobs, litRows.texture(), pass.profile.outline, pass.deep());
+    if (!done) {
+        for (const PendingCast& cast : batch.casts) atlas.forget(cast.key);
+    }
+    return done;
+}
+
+// Casts and draws what is gathered.
+Status SceneRenderer::Impl::finish(Pass& pass) {
+    const Status cast = castBatch(pass);
+    if (!cast) return cast;
+    batch.casts.clear();
+    atlas.endBatch();
+    if (batch.sprites.empty()) return {};
+    sprites.set(BufferBinding::sprites, std::span<const SpriteBlock>(batch.sprites));
+    corners.set(BufferBinding::spriteCorners, std::span<const glm::vec4>(batch.corners));
+    const Status drawn = drawRuns(pass);
+    ++pass.batches;
+    return drawn;
+}
+
+// The same, and makes room.
+Status SceneRenderer::Impl::flush(Pass& pass) {
+    const Status drawn = finish(pass);
+    batch.clear();
+    return drawn;
+}
+
+Status SceneRenderer::Impl::drawRuns(Pass& pass) {
+    pass.frame.bind();
+    sprites.bind(BufferBinding::sprites);
+    corners.bind(BufferBinding::spriteCorners);
+    const bool buffered = pass.mode == SpriteMode::spriteBuffer;
+    if (!buffered) bindTexture(TextureUnit::palette, litRows.texture());
     gl::apply({.depthTest = gl::DepthTest::nearer,
                .depthWrite = true,
-               .cull = box ? gl::Cull::frontFaces : gl::Cull::none});
-    glDrawArraysInstanced(GL_TRIANGLES, 0, box ? 36 : 6, static_cast<GLsizei>(blocks.size()));
-    ++stats.drawCalls;
-}
-
-Status SceneRenderer::Impl::drawBatch(Frame& frame, const GameProfile& profile, SceneStats& stats) {
-    if (batch.sprites.empty()) return {};
-    // Only the depth of a pixel of its own looks at the lattice; the wide way is right for all.
-    const bool deep = profile.depth == DepthRule::perPixel;
-    LatticePrograms& programs = deep ? blitDeep : blit;
-    if (const Status ready = programs.use(!deep || batch.narrow); !ready) return ready;
-    frame.bind();
-    bindTexture(TextureUnit::spriteColours, batch.sheet->colours.id());
-    bindTexture(TextureUnit::spriteIds, batch.sheet->ids.id());
-    drawSprites(batch.sprites, stats);
-    batch.clear();
-    return {};
-}
-
-Status SceneRenderer::Impl::drawBuffered(Frame& frame, std::span<const SeenSprite> seen,
-                                         const Camera& camera, const GameProfile& profile,
-                                         SceneStats& stats) {
-    batch.clear();
-    batch.sprites.reserve(seen.size());
-    for (const SeenSprite& sprite : seen) {
-        Result<std::optional<AtlasPlace>> place = placeOf(sprite, stats);
-        if (place && !*place) {
-            if (const Status drawn = drawBatch(frame, profile, stats); !drawn) return drawn;
-            atlas.endBatch();
-            place = placeOf(sprite, stats);
+               .cull = pass.boxes() ? gl::Cull::frontFaces : gl::Cull::none});
+    SpriteDrawBlock block = drawBlock(pass.profile.outline);
+    block.depth_from_metres = glm::vec4(depthFromMetres(pass.camera));
+    for (const SpriteRun& run : batch.runs) {
+        SpriteVariants variants = kPlain;
+        if (pass.boxes()) variants |= kProxyBox;
+        if (pass.deep()) variants |= kPerPixelDepth;
+        // What is finished looks at the lattice only for the depth of a pixel of its own.
+        if (!run.narrow && (pass.deep() || !buffered)) variants |= kWideLattice;
+        if (const Status ready = (buffered ? blit : single).use(variants); !ready) return ready;
+        if (buffered) {
+            bindTexture(TextureUnit::spriteColours, run.sheet->colours.id());
+            if (pass.deep()) bindTexture(TextureUnit::spriteIds, run.sheet->ids.id());
+        } else {
+            bindTexture(TextureUnit::svo, run.octreeTexture);
         }
-        if (!place) return tl::unexpected(place.error());
-        if (!*place) return fail("a page of the sprite atlas holds no sprite at all");
-        const AtlasPlace& at = **place;
-        if (at.sheet != batch.sheet) {
-            if (const Status drawn = drawBatch(frame, profile, stats); !drawn) return drawn;
-            batch.sheet = at.sheet;
-        }
-        batch.narrow = batch.narrow && castsNarrow(sprite.shown, sprite.entity->octree->size());
-        batch.sprites.push_back(
-            screenBlock(sprite.view, sprite.shown, sprite.entity->placed, camera, profile));
-        batch.sprites.back().atlas_place = at.corner;
-    }
-    return drawBatch(frame, profile, stats);
-}
-
-Status SceneRenderer::Impl::drawSingle(std::span<const SeenSprite> seen, const Camera& camera,
-                                       const GameProfile& profile, SceneStats& stats) {
-    LatticePrograms& programs = profile.depth == DepthRule::perPixel ? singleDeep : single;
-    for (const SeenSprite& sprite : seen) {
-        const GpuOctree& octree = *sprite.entity->octree;
-        stats.rays += fragmentCount(sprite, camera);
-        caster.bindInputs(octree, sprite.shown, *sprite.lit.lit);
-        const Status ready = programs.use(castsNarrow(sprite.shown, octree.size()));
-        if (!ready) return ready;
-        const SpriteBlock block =
-            screenBlock(sprite.view, sprite.shown, sprite.entity->placed, camera, profile);
-        drawSprites(std::span(&block, 1), stats);
+        block.first_sprite = run.first;
+        block.sprite_count = run.count;
+        shapes.draw(block, pass.boxes());
+        ++pass.stats.drawCalls;
     }
     return {};
+}
+
+Status SceneRenderer::Impl::gather(Pass& pass) {
+    batch.clear();
+    if (pass.mode == SpriteMode::spriteBuffer) atlas.keepIds(pass.deep());
+    octrees.arrange(look.octrees());
+    for (const SeenSprite* sprite : look.seen()) {
+        const Status added = pass.mode == SpriteMode::spriteBuffer ? addFinished(pass, *sprite)
+                                                                   : addToCast(pass, *sprite);
+        if (!added) return added;
+        if (batch.sprites.size() < kMostSprites) continue;
+        if (const Status drawn = flush(pass); !drawn) return drawn;
+    }
+    return {};
+}
+
+Status SceneRenderer::Impl::drawSprites(Pass& pass) {
+    if (held == pass.mode && !look.changed()) {
+        if (pass.mode == SpriteMode::spriteBuffer) {
+            pass.stats.castsReused = look.seen().size();
+        } else {
+            for (const SeenSprite* sprite : look.seen()) pass.stats.rays += sprite->fragments;
+        }
+        return drawRuns(pass);
+    }
+    held.reset();
+    Status drawn = gather(pass);
+    if (drawn) drawn = finish(pass);
+    atlas.endFrame();
+    if (drawn && pass.batches <= 1) held = pass.mode;
+    return drawn;
 }
 
 Result<SceneStats> SceneRenderer::draw(Frame& frame, const Scene& scene, const Camera& camera,
                                        const GameProfile& profile, SpriteMode mode) {
     SceneStats stats;
-    const Result<std::vector<SeenSprite>> seen = impl_->look(scene, camera, profile, stats);
-    if (!seen) return tl::unexpected(seen.error());
+    if (const Status seen = impl_->look.update(scene, camera, profile); !seen) {
+        return tl::unexpected(seen.error());
+    }
+    const std::vector<const SeenSprite*>& sprites = impl_->look.seen();
+    stats.drawn = static_cast<int>(sprites.size());
+    stats.unseen = impl_->look.unseen();
+    if (!sprites.empty()) {
+        stats.sigmaInForce = sprites.front()->sigmaInForce;
+        stats.screenPxPerPx = sprites.front()->screenPxPerPx;
+    }
     frame.begin(scene.background);
     impl_->backdrop.draw(scene, camera);
-    const Status drawn = mode == SpriteMode::spriteBuffer
-                             ? impl_->drawBuffered(frame, *seen, camera, profile, stats)
-                             : impl_->drawSingle(*seen, camera, profile, stats);
-    impl_->atlas.endFrame();
-    if (!drawn) return tl::unexpected(drawn.error());
+    Pass pass{frame, camera, profile, mode, stats};
+    if (const Status drawn = impl_->drawSprites(pass); !drawn) {
+        return tl::unexpected(drawn.error());
+    }
     stats.atlasBytes = impl_->atlas.bytes();
     return stats;
 }
@@ -247,7 +310,7 @@ Result<SceneRenderer> SceneRenderer::create(const AtlasLimits& limits) {
     Result<SceneBackdrop> backdrop = SceneBackdrop::create();
     if (!backdrop) return tl::unexpected(backdrop.error());
     auto impl = std::make_unique<Impl>(std::move(*caster), std::move(*backdrop), limits);
-    if (const Status ready = impl->blit.use(true); !ready) return tl::unexpected(ready.error());
+    if (const Status ready = impl->blit.use(kPlain); !ready) return tl::unexpected(ready.error());
     return SceneRenderer(std::move(impl));
 }
 

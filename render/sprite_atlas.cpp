@@ -9,7 +9,7 @@ namespace voxprite {
 
 namespace {
 
-constexpr std::uint64_t kBytesPerPixel = 8;
+constexpr std::uint64_t kBytesPerTexel = 4;  // of both textures
 // Sprites that are not shown are kept for as many frames: large ones no longer, others until the
 // room is needed.
 constexpr std::uint64_t kFramesKept = 3;
@@ -35,22 +35,21 @@ glm::ivec2 roomySize(glm::ivec2 size) {
 
 }  // namespace
 
-SpriteSheet::SpriteSheet(glm::ivec3 pagesSize)
-    : colours(pageArray(GL_RGBA8, pagesSize)),
-      ids(pageArray(GL_R32UI, pagesSize)),
-      size(pagesSize) {
+SpriteSheet::SpriteSheet(glm::ivec3 pagesSize, bool withIds)
+    : colours(pageArray(GL_RGBA8, pagesSize)), size(pagesSize) {
+    if (withIds) ids = pageArray(GL_R32UI, pagesSize);
     const GLenum targets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     for (int page = 0; page < size.z; ++page) {
         const gl::Framebuffer& framebuffer = framebuffers.emplace_back(gl::createFramebuffer());
         const GLuint id = framebuffer.id();
         glNamedFramebufferTextureLayer(id, GL_COLOR_ATTACHMENT0, colours.id(), 0, page);
-        glNamedFramebufferTextureLayer(id, GL_COLOR_ATTACHMENT1, ids.id(), 0, page);
-        glNamedFramebufferDrawBuffers(id, 2, targets);
+        if (withIds) glNamedFramebufferTextureLayer(id, GL_COLOR_ATTACHMENT1, ids.id(), 0, page);
+        glNamedFramebufferDrawBuffers(id, withIds ? 2 : 1, targets);
     }
 }
 
 std::uint64_t SpriteSheet::bytes() const {
-    return kBytesPerPixel * static_cast<std::uint64_t>(size.x) *
+    return (ids ? 2 : 1) * kBytesPerTexel * static_cast<std::uint64_t>(size.x) *
            static_cast<std::uint64_t>(size.y) * static_cast<std::uint64_t>(size.z);
 }
 
@@ -60,6 +59,15 @@ std::uint32_t AtlasPlace::framebuffer() const {
 
 SpriteAtlas::SpriteAtlas(const AtlasLimits& limits)
     : limits_(limits), packer_(glm::ivec2(limits.pageEdgePx)) {}
+
+void SpriteAtlas::keepIds(bool ids) {
+    if (ids == ids_) return;
+    ids_ = ids;
+    entries_.clear();
+    large_.clear();
+    pages_ = {};
+    packer_ = ShelfPacker(glm::ivec2(limits_.pageEdgePx));
+}
 
 AtlasPlace SpriteAtlas::placeOf(const Entry& entry) const {
     return {entry.own ? entry.own.get() : &pages_, entry.corner};
@@ -98,7 +106,7 @@ AtlasPlace SpriteAtlas::addLarge(const SpriteKey& key, glm::ivec2 size) {
         entry.own = std::move(spare->second.own);
         large_.erase(spare);
     } else {
-        entry.own = std::make_unique<SpriteSheet>(glm::ivec3(roomySize(size), 1));
+        entry.own = std::make_unique<SpriteSheet>(glm::ivec3(roomySize(size), 1), ids_);
     }
     return placeOf(large_.emplace(key, std::move(entry)).first->second);
 }
@@ -108,10 +116,10 @@ bool SpriteAtlas::addPages() {
     const int before = packer_.pages();
     const int after = std::min(std::max(2 * before, 1), limits_.pages);
     if (after <= before) return false;
-    SpriteSheet more(glm::ivec3(glm::ivec2(limits_.pageEdgePx), after));
+    SpriteSheet more(glm::ivec3(glm::ivec2(limits_.pageEdgePx), after), ids_);
     if (before > 0) {
         copyPages(pages_.colours, more.colours, pages_.size);
-        copyPages(pages_.ids, more.ids, pages_.size);
+        if (ids_) copyPages(pages_.ids, more.ids, pages_.size);
     }
     pages_ = std::move(more);
     while (packer_.pages() < after) packer_.addPage();

@@ -15,15 +15,15 @@
 
 namespace voxprite {
 
-// Pages of finished sprites: two texture arrays, and a framebuffer for each page.
+// Pages of finished sprites: texture arrays, and a framebuffer for each page.
 struct SpriteSheet {
     gl::Texture colours;  // RGBA8
-    gl::Texture ids;      // R32UI
+    gl::Texture ids;      // R32UI; only a depth for each pixel needs them
     std::vector<gl::Framebuffer> framebuffers;
     glm::ivec3 size{0};  // of a page, and how many
 
     SpriteSheet() = default;
-    explicit SpriteSheet(glm::ivec3 size);
+    SpriteSheet(glm::ivec3 size, bool withIds);
     [[nodiscard]] std::uint64_t bytes() const;
 };
 
@@ -37,6 +37,9 @@ struct AtlasPlace {
 class SpriteAtlas {
   public:
     explicit SpriteAtlas(const AtlasLimits& limits);
+
+    // Whether sprites are kept with their ids. A change forgets all that is held.
+    void keepIds(bool ids);
 
     // The sprite of this key, if it is held.
     [[nodiscard]] std::optional<AtlasPlace> find(const SpriteKey& key);
@@ -66,6 +69,7 @@ class SpriteAtlas {
     [[nodiscard]] bool evictHalf();
 
     AtlasLimits limits_;
+    bool ids_ = false;
     ShelfPacker packer_;
     SpriteSheet pages_;
     Entries entries_;

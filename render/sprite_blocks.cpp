@@ -65,8 +65,8 @@ std::array<glm::dvec3, 8> boxCorners(const SpriteView& view) {
 // Every vertex is given the sprite's one depth. Where all lie before the eye they are divided here
 // and carry w = 1, so that every fragment gets exactly that depth: w * (z / w) is not z in floating
 // point.
-void fillCorners(SpriteBlock& block, std::span<const glm::dvec3> cornersFromEye,
-                 const Camera& camera) {
+SpriteCorners clipCorners(std::span<const glm::dvec3> cornersFromEye, float depth,
+                          const Camera& camera) {
     const glm::dmat4 clipFromEye = camera.clipFromCameraRelative();
     std::array<glm::dvec4, 8> clip{};
     bool allAhead = true;
@@ -74,42 +74,17 @@ void fillCorners(SpriteBlock& block, std::span<const glm::dvec3> cornersFromEye,
         clip[i] = clipFromEye * glm::dvec4(cornersFromEye[i], 1.0);
         allAhead = allAhead && clip[i].w >= std::min(1.0, camera.nearMetres);
     }
+    SpriteCorners corners{};
     for (std::size_t i = 0; i < cornersFromEye.size(); ++i) {
         const double divisor = allAhead ? clip[i].w : 1.0;
         const glm::dvec3 xyw = glm::dvec3(clip[i].x, clip[i].y, clip[i].w) / divisor;
         const auto w = static_cast<float>(allAhead ? 1.0 : xyw.z);
-        block.corners[i] = glm::vec4(static_cast<float>(xyw.x), static_cast<float>(xyw.y),
-                                     w * block.billboard_depth, w);
+        corners[i] = glm::vec4(static_cast<float>(xyw.x), static_cast<float>(xyw.y), w * depth, w);
     }
+    return corners;
 }
 
 }  // namespace
-
-LatticeBlock latticeBlock(const LatticeView& lattice, const GpuOctree& octree) {
-    const glm::ivec3 centre = octree.size() / 2;
-    const int edge = 1 << octree.maxDepth();
-    LatticeBlock block;
-    block.position_bits = lattice.positionBits;
-    block.lattice_right = lattice.U;
-    block.lattice_up = lattice.V;
-    block.first_x = lattice.first.x;
-    block.first_y = lattice.first.y;
-    for (int axis = 0; axis < 3; ++axis) {
-        block.lattice_origin[axis] = lattice.C[axis] - (centre[axis] << lattice.positionBits);
-        const int start = octree.treeFromVoxel()[axis];
-        const int low = std::clamp(start, 0, edge);
-        const int high = std::clamp(start + octree.size()[axis], 0, edge);
-        const bool mirrored = lattice.D[axis] < 0;
-        block.lattice_direction[axis] = std::abs(lattice.D[axis]);
-        block.mirror_sign[axis] = mirrored ? -1 : 1;
-        block.mirror_bits[axis] = mirrored ? edge - 1 : 0;
-        block.box_low[axis] = mirrored ? edge - high : low;
-        block.box_high[axis] = mirrored ? edge - low : high;
-        const int middle = start + centre[axis];
-        block.box_centre[axis] = mirrored ? edge - middle : middle;
-    }
-    return block;
-}
 
 bool castsNarrow(const LatticeView& lattice, glm::ivec3 modelSize) {
     if (!fitsNarrow(lattice, modelSize)) return false;
@@ -128,48 +103,45 @@ bool castsNarrow(const LatticeView& lattice, glm::ivec3 modelSize) {
     return true;
 }
 
-SpriteBlock bufferBlock(const LatticeView& lattice, const Outline& outline) {
+SpriteBlock castBlock(const LatticeView& lattice, const GpuOctree& octree) {
+    const glm::ivec3 centre = octree.size() / 2;
     SpriteBlock block;
-    // A rectangle over all of the target, whatever its size.
-    block.corners = {glm::vec4(-1, -1, 0, 1), glm::vec4(1, -1, 0, 1), glm::vec4(-1, 1, 0, 1),
-                     glm::vec4(1, 1, 0, 1)};
-    block.pixel_from_screen = {glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0)};
     block.region_size = lattice.size;
-    block.outline_enabled = outline.enabled ? 1 : 0;
-    block.outline_colour = glm::vec4(glm::vec3(outline.colour), 255.0f) / 255.0f;
+    block.lattice_origin = lattice.C - centre * (1 << lattice.positionBits);
+    block.position_bits = lattice.positionBits;
+    block.lattice_right = lattice.U;
+    block.first_x = lattice.first.x;
+    block.lattice_up = lattice.V;
+    block.first_y = lattice.first.y;
+    block.lattice_direction = lattice.D;
+    block.svo_max_depth = static_cast<std::uint32_t>(octree.maxDepth());
+    block.svo_model_size = glm::uvec3(octree.size());
+    block.tree_from_voxel = octree.treeFromVoxel();
+    // On a target of the buffer's own size each fragment is a cell.
+    block.pixel_from_screen = {glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0)};
     return block;
 }
 
+void placeInputs(SpriteBlock& block, const OctreePlace& octree, int paletteRow) {
+    block.node_offset = octree.nodeOffset;
+    block.payload_offset = octree.payloadOffset;
+    block.palette_row = paletteRow;
+}
+
 SpriteBlock screenBlock(const SpriteView& view, const LatticeView& visible,
-                        const PlacedEntity& placed, const Camera& camera,
+                        const PlacedEntity& placed, const GpuOctree& octree, const Camera& camera,
                         const GameProfile& profile) {
-    SpriteBlock block = bufferBlock(visible, profile.outline);
+    SpriteBlock block = castBlock(visible, octree);
     block.billboard_depth = camera.reversedDepth(view.depthMetres);
     block.camera_distance = static_cast<float>(view.planeDepthMetres);
-    block.proxy_is_box = view.proxy == ProxyShape::box ? 1 : 0;
     fillMapping(block, view, visible, camera);
-    if (view.proxy == ProxyShape::box) {
-        fillCorners(block, boxCorners(view), camera);
-    } else {
-        fillCorners(block, quadCorners(view, visible), camera);
-    }
-
-    block.lattice_origin = visible.C - (placed.modelSize / 2) * (1 << visible.positionBits);
-    block.position_bits = visible.positionBits;
-    block.lattice_right = visible.U;
-    block.first_x = visible.first.x;
-    block.lattice_up = visible.V;
-    block.first_y = visible.first.y;
-    block.lattice_direction = visible.D;
-    block.svo_model_size = glm::uvec3(placed.modelSize);
 
     const glm::dvec3 size(placed.modelSize);
-    const glm::dvec3 cornerFromMiddle = glm::dvec3(placed.modelSize / 2) - 0.5 * size;
+    const glm::dvec3 cornerFromMiddle = glm::dvec3(octree.size() / 2) - 0.5 * size;
     const double stepsPerVoxel = std::ldexp(1.0, view.lattice.positionBits);
     block.depth_per_step =
         toVec4(view.depthPerVoxelMetres / stepsPerVoxel,
                view.planeDepthMetres + glm::dot(view.depthPerVoxelMetres, cornerFromMiddle));
-    block.depth_from_metres = glm::vec4(depthFromMetres(camera));
 
     block.ray_dir_local = glm::vec3(view.ortho.forward);
     block.camera_up_local = glm::vec3(view.ortho.up);
@@ -178,6 +150,20 @@ SpriteBlock screenBlock(const SpriteView& view, const LatticeView& visible,
     block.anchor_to_center = glm::vec3(0.5 * size - placed.anchor);
     block.light_dir =
         glm::vec3(glm::transpose(placed.worldFromVoxelAxes) * profile.light.towardLight);
+    return block;
+}
+
+SpriteCorners screenCorners(const SpriteView& view, const LatticeView& visible,
+                            const Camera& camera) {
+    const float depth = camera.reversedDepth(view.depthMetres);
+    if (view.proxy == ProxyShape::box) return clipCorners(boxCorners(view), depth, camera);
+    return clipCorners(quadCorners(view, visible), depth, camera);
+}
+
+SpriteDrawBlock drawBlock(const Outline& outline) {
+    SpriteDrawBlock block;
+    block.outline_enabled = outline.enabled ? 1 : 0;
+    block.outline_colour = glm::vec4(glm::vec3(outline.colour), 255.0f) / 255.0f;
     return block;
 }
 

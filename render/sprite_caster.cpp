@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <span>
+#include <string>
+#include <tuple>
 
 #include "render/gl/draw_state.h"
-#include "render/sprite_blocks.h"
+#include "render/palette_texture.h"
 
 namespace voxprite {
 
@@ -30,10 +32,9 @@ gl::Texture dataTexture(GLenum format, glm::ivec2 size) {
     return texture;
 }
 
-void beginTarget(std::uint32_t framebuffer, glm::ivec2 corner, glm::ivec2 size) {
+void beginTarget(std::uint32_t framebuffer, glm::ivec2 size) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(corner.x, corner.y, size.x, size.y);
-    gl::apply({});
+    glViewport(0, 0, size.x, size.y);
 }
 
 // Copies a rectangle of the textures to where its pixels belong in `buffer`, turned over.
@@ -58,38 +59,24 @@ void readTile(const SpriteTextures& textures, glm::ivec2 corner, glm::ivec2 size
 
 }  // namespace
 
-SpriteTextures::SpriteTextures(glm::ivec2 size)
-    : colours(dataTexture(GL_RGBA8, size)),
-      ids(dataTexture(GL_R32UI, size)),
-      framebuffer(gl::createFramebuffer()),
-      capacity(size) {
-    glNamedFramebufferTexture(framebuffer.id(), GL_COLOR_ATTACHMENT0, colours.id(), 0);
-    glNamedFramebufferTexture(framebuffer.id(), GL_COLOR_ATTACHMENT1, ids.id(), 0);
+SpriteTextures::SpriteTextures(glm::ivec2 size, bool withIds)
+    : colours(dataTexture(GL_RGBA8, size)), framebuffer(gl::createFramebuffer()), capacity(size) {
     const GLenum targets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-    glNamedFramebufferDrawBuffers(framebuffer.id(), 2, targets);
-}
-
-Status LatticePrograms::use(bool narrow) {
-    gl::Program& program = narrow ? narrow_ : wide_;
-    if (!program) {
-        std::vector<std::string> defines = defines_;
-        if (!narrow) defines.emplace_back("LATTICE_WIDE");
-        Result<gl::Program> compiled = gl::compileProgram(vertex_, fragment_, defines);
-        if (!compiled) return tl::unexpected(compiled.error());
-        program = std::move(*compiled);
+    glNamedFramebufferTexture(framebuffer.id(), GL_COLOR_ATTACHMENT0, colours.id(), 0);
+    if (withIds) {
+        ids = dataTexture(GL_R32UI, size);
+        glNamedFramebufferTexture(framebuffer.id(), GL_COLOR_ATTACHMENT1, ids.id(), 0);
     }
-    gl::useProgram(program);
-    return {};
+    glNamedFramebufferDrawBuffers(framebuffer.id(), withIds ? 2 : 1, targets);
 }
 
 Result<SpriteCaster> SpriteCaster::create() {
     SpriteCaster caster;
-    if (const Status compiled = caster.cast_.use(true); !compiled) {
-        return tl::unexpected(compiled.error());
+    for (SpriteProgram* program : {&caster.cast_, &caster.outline_}) {
+        if (const Status compiled = program->use(kPlain); !compiled) {
+            return tl::unexpected(compiled.error());
+        }
     }
-    Result<gl::Program> outline = gl::compileProgram("sprite_quad.vert", "sprite_outline.frag");
-    if (!outline) return tl::unexpected(outline.error());
-    caster.outline_ = std::move(*outline);
     return caster;
 }
 
@@ -102,50 +89,86 @@ Status SpriteCaster::checkSize(glm::ivec2 size) {
                 std::to_string(limit));
 }
 
-void SpriteCaster::bindInputs(const GpuOctree& octree, const LatticeView& lattice,
-                              const LitPalette& lit) {
-    octreeBlock_.set(BlockBinding::octree, octree.block());
-    latticeBlock_.set(BlockBinding::lattice, latticeBlock(lattice, octree));
-    palette_.set(lit);
-    bindTexture(TextureUnit::svo, octree.texture());
-    bindTexture(TextureUnit::palette, palette_.texture());
-    glBindVertexArray(nothing_.id());
+void SpriteCaster::needScratch(glm::ivec2 size, bool withIds) {
+    const glm::ivec2 both = glm::max(scratch_.capacity, size);
+    if (both == scratch_.capacity && (scratch_.ids || !withIds)) return;
+    scratch_ = SpriteTextures(area(both) <= kRoomyPixels ? both : size, withIds);
 }
 
-Status SpriteCaster::cast(const GpuOctree& octree, const LatticeView& lattice,
-                          const LitPalette& lit, std::uint32_t framebuffer, glm::ivec2 corner) {
-    if (!scratch_.holds(lattice.size)) {
-        const glm::ivec2 both = glm::max(scratch_.capacity, lattice.size);
-        scratch_ = SpriteTextures(area(both) <= kRoomyPixels ? both : lattice.size);
+Status SpriteCaster::cast(std::vector<CastJob>& jobs, std::uint32_t litRows, const Outline& outline,
+                          bool withIds) {
+    if (jobs.empty()) return {};
+    const auto order = [](const CastJob& job) {
+        return std::tuple(job.framebuffer, job.octreeTexture, job.narrow);
+    };
+    std::ranges::stable_sort(jobs, {}, order);
+    std::vector<SpriteBlock> blocks;
+    blocks.reserve(jobs.size());
+    for (const CastJob& job : jobs) blocks.push_back(job.block);
+    sprites_.set(BufferBinding::sprites, std::span<const SpriteBlock>(blocks));
+    gl::apply({});
+    const SpriteDrawBlock block = drawBlock(outline);
+    for (Run run{0, 0}; run.first < jobs.size(); run.first = run.end) {
+        const std::uint32_t target = jobs[run.first].framebuffer;
+        while (run.end < jobs.size() && jobs[run.end].framebuffer == target) ++run.end;
+        bindTexture(TextureUnit::palette, litRows);
+        if (const Status done = castInto(jobs, run, block, withIds); !done) return done;
     }
-    bindInputs(octree, lattice, lit);
-    if (const Status ready = cast_.use(castsNarrow(lattice, octree.size())); !ready) return ready;
-    beginTarget(scratch_.framebuffer.id(), glm::ivec2(0), lattice.size);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-
-    SpriteBlock block = bufferBlock(lattice, lit.outline);
-    block.atlas_place = glm::ivec3(corner, 0);
-    sprite_.set(BlockBinding::sprite, std::span<const SpriteBlock>(&block, 1));
-    bindTexture(TextureUnit::spriteColours, scratch_.colours.id());
-    bindTexture(TextureUnit::spriteIds, scratch_.ids.id());
-    gl::useProgram(outline_);
-    beginTarget(framebuffer, corner, lattice.size);
-    glDrawArrays(GL_TRIANGLES, 0, 6);
     return {};
 }
 
-Status SpriteCaster::castSinglePass(const GpuOctree& octree, const LatticeView& lattice,
-                                    const LitPalette& lit, SpriteTextures& target) {
-    bindInputs(octree, lattice, lit);
-    const SpriteBlock block = bufferBlock(lattice, lit.outline);
-    sprite_.set(BlockBinding::sprite, std::span<const SpriteBlock>(&block, 1));
-    if (const Status ready = single_.use(castsNarrow(lattice, octree.size())); !ready) return ready;
-    beginTarget(target.framebuffer.id(), glm::ivec2(0), lattice.size);
+Status SpriteCaster::castInto(const std::vector<CastJob>& jobs, Run run, SpriteDrawBlock block,
+                              bool withIds) {
+    glm::ivec2 extent(0);
+    for (std::size_t k = run.first; k < run.end; ++k) {
+        const SpriteBlock& sprite = jobs[k].block;
+        extent = glm::max(extent, glm::ivec2(sprite.atlas_place) + sprite.region_size);
+    }
+    needScratch(extent, withIds);
+    block.target_size = glm::vec2(extent);
+    beginTarget(scratch_.framebuffer.id(), extent);
+    for (Run part{run.first, run.first}; part.first < run.end; part.first = part.end) {
+        const CastJob& first = jobs[part.first];
+        while (part.end < run.end && jobs[part.end].octreeTexture == first.octreeTexture &&
+               jobs[part.end].narrow == first.narrow) {
+            ++part.end;
+        }
+        if (const Status ready = cast_.use(first.narrow ? kPlain : kWideLattice); !ready)
+            return ready;
+        bindTexture(TextureUnit::svo, first.octreeTexture);
+        block.first_sprite = static_cast<std::int32_t>(part.first);
+        block.sprite_count = static_cast<std::int32_t>(part.end - part.first);
+        shapes_.draw(block);
+    }
+    if (const Status ready = outline_.use(withIds ? kSpriteIds : kPlain); !ready) return ready;
+    beginTarget(jobs[run.first].framebuffer, extent);
+    bindTexture(TextureUnit::spriteColours, scratch_.colours.id());
+    if (withIds) bindTexture(TextureUnit::spriteIds, scratch_.ids.id());
+    block.first_sprite = static_cast<std::int32_t>(run.first);
+    block.sprite_count = static_cast<std::int32_t>(run.end - run.first);
+    shapes_.draw(block);
+    return {};
+}
+
+Status SpriteCaster::castSinglePass(const CastJob& job, std::uint32_t litRows,
+                                    const Outline& outline, SpriteTextures& target) {
+    // A rectangle over all of the target.
+    const std::array<glm::vec4, 4> corners{glm::vec4(-1, -1, 0, 1), glm::vec4(1, -1, 0, 1),
+                                           glm::vec4(-1, 1, 0, 1), glm::vec4(1, 1, 0, 1)};
+    sprites_.set(BufferBinding::sprites, std::span(&job.block, 1));
+    corners_.set(BufferBinding::spriteCorners, std::span<const glm::vec4>(corners));
+    bindTexture(TextureUnit::palette, litRows);
+    bindTexture(TextureUnit::svo, job.octreeTexture);
+    gl::apply({});
+    if (const Status ready = single_.use(job.narrow ? kPlain : kWideLattice); !ready) return ready;
+    beginTarget(target.framebuffer.id(), job.block.region_size);
     const glm::vec4 noColour(0.0f);
     const glm::uvec4 noId(kIdEmpty);
     glClearNamedFramebufferfv(target.framebuffer.id(), GL_COLOR, 0, &noColour.x);
     glClearNamedFramebufferuiv(target.framebuffer.id(), GL_COLOR, 1, &noId.x);
-    glDrawArrays(GL_TRIANGLES, 0, 6);
+    SpriteDrawBlock block = drawBlock(outline);
+    block.sprite_count = 1;
+    shapes_.draw(block);
     return {};
 }
 
@@ -159,7 +182,10 @@ Result<SpriteBuffer> SpriteCaster::castBuffer(const GpuOctree& octree, const Lat
     buffer.ids.assign(count, kIdEmpty);
     if (count == 0 || octree.texture() == 0) return buffer;
 
-    SpriteTextures target(glm::min(lattice.size, glm::ivec2(kTileEdge + 2)));
+    SpriteTextures target(glm::min(lattice.size, glm::ivec2(kTileEdge + 2)), true);
+    bufferLit_.forgetAll();
+    const std::optional<int> litRow = bufferLit_.rowOf(1, lit);
+    std::vector<CastJob> jobs(1);
     for (int y = 0; y < lattice.size.y; y += kTileEdge) {
         for (int x = 0; x < lattice.size.x; x += kTileEdge) {
             // One pixel more all round: the outline looks at its neighbours.
@@ -170,9 +196,14 @@ Result<SpriteBuffer> SpriteCaster::castBuffer(const GpuOctree& octree, const Lat
             LatticeView tile = lattice;
             tile.first = lattice.first + paddedLow;
             tile.size = paddedHigh - paddedLow;
-            const Status done = mode == SpriteMode::spriteBuffer
-                                    ? cast(octree, tile, lit, target.framebuffer.id())
-                                    : castSinglePass(octree, tile, lit, target);
+            CastJob& job = jobs.front();
+            job = {castBlock(tile, octree), target.framebuffer.id(), octree.texture(),
+                   castsNarrow(tile, octree.size())};
+            placeInputs(job.block, {octree.texture(), 0, octree.payloadOffset()}, *litRow);
+            const Status done =
+                mode == SpriteMode::spriteBuffer
+                    ? cast(jobs, bufferLit_.texture(), lit.outline, true)
+                    : castSinglePass(job, bufferLit_.texture(), lit.outline, target);
             if (!done) return tl::unexpected(done.error());
             readTile(target, low - paddedLow, high - low, low, buffer);
         }

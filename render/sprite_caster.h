@@ -2,7 +2,6 @@
 #pragma once
 
 #include <glm/vec2.hpp>
-#include <string>
 #include <vector>
 
 #include "core/base/result.h"
@@ -10,38 +9,29 @@
 #include "render/gl/handles.h"
 #include "render/gl/program.h"
 #include "render/gpu_octree.h"
-#include "render/palette_texture.h"
+#include "render/lit_rows.h"
 #include "render/scene_renderer.h"
+#include "render/sprite_programs.h"
 
 namespace voxprite {
 
-// A sprite buffer in two textures (bottom row first), which may be larger than the sprite.
+// A sprite buffer in textures (bottom row first), which may be larger than the sprite.
 struct SpriteTextures {
     gl::Texture colours;  // RGBA8
-    gl::Texture ids;      // R32UI
+    gl::Texture ids;      // R32UI, if wanted
     gl::Framebuffer framebuffer;
     glm::ivec2 capacity{0};
 
     SpriteTextures() = default;
-    explicit SpriteTextures(glm::ivec2 size);
-    [[nodiscard]] bool holds(glm::ivec2 size) const {
-        return size.x <= capacity.x && size.y <= capacity.y;
-    }
+    SpriteTextures(glm::ivec2 size, bool withIds);
 };
 
-// The program for 31-bit integers, and the one for larger lattices, compiled when first needed.
-class LatticePrograms {
-  public:
-    LatticePrograms(std::string vertex, std::string fragment, std::vector<std::string> defines = {})
-        : vertex_(std::move(vertex)),
-          fragment_(std::move(fragment)),
-          defines_(std::move(defines)) {}
-    [[nodiscard]] Status use(bool narrow);
-
-  private:
-    std::string vertex_, fragment_;
-    std::vector<std::string> defines_;
-    gl::Program narrow_, wide_;
+// A sprite to cast: block.region_size pixels into `framebuffer` at block.atlas_place.
+struct CastJob {
+    SpriteBlock block;
+    std::uint32_t framebuffer = 0;
+    std::uint32_t octreeTexture = 0;
+    bool narrow = true;
 };
 
 class SpriteCaster {
@@ -50,30 +40,34 @@ class SpriteCaster {
 
     // A buffer of this size as one texture each: fails beyond the driver's limit.
     [[nodiscard]] static Status checkSize(glm::ivec2 size);
-    // Puts the finished sprite into `framebuffer` (RGBA8 and R32UI), its lower left at `corner`.
-    [[nodiscard]] Status cast(const GpuOctree& octree, const LatticeView& lattice,
-                              const LitPalette& lit, std::uint32_t framebuffer,
-                              glm::ivec2 corner = glm::ivec2(0));
+
+    // All finished sprites, in few draws: for each framebuffer one with rays and one for outlines.
+    // Framebuffers hold RGBA8, and R32UI `withIds`. Changes the order of the jobs.
+    [[nodiscard]] Status cast(std::vector<CastJob>& jobs, std::uint32_t litRows,
+                              const Outline& outline, bool withIds);
 
     // The whole buffer read back, by either mode.
     [[nodiscard]] Result<SpriteBuffer> castBuffer(const GpuOctree& octree,
                                                   const LatticeView& lattice, const LitPalette& lit,
                                                   SpriteMode mode);
 
-    // Binds what the lattice shaders read, palette included.
-    void bindInputs(const GpuOctree& octree, const LatticeView& lattice, const LitPalette& lit);
-
   private:
-    [[nodiscard]] Status castSinglePass(const GpuOctree& octree, const LatticeView& lattice,
-                                        const LitPalette& lit, SpriteTextures& target);
+    // A part of the jobs, by place in the buffer.
+    struct Run {
+        std::size_t first, end;
+    };
+    [[nodiscard]] Status castInto(const std::vector<CastJob>& jobs, Run run, SpriteDrawBlock block,
+                                  bool withIds);
+    [[nodiscard]] Status castSinglePass(const CastJob& job, std::uint32_t litRows,
+                                        const Outline& outline, SpriteTextures& target);
+    void needScratch(glm::ivec2 size, bool withIds);
 
-    LatticePrograms cast_{"fullscreen.vert", "sprite_cast.frag"};
-    LatticePrograms single_{"sprite_quad.vert", "sprite_single.frag"};
-    gl::Program outline_;
-    gl::VertexArray nothing_ = gl::createVertexArray();
-    gl::UniformBuffer octreeBlock_, latticeBlock_;
-    gl::StorageBuffer sprite_;
-    PaletteTexture palette_;
+    SpriteProgram cast_{"sprite_region.vert", "sprite_cast.frag"};
+    SpriteProgram outline_{"sprite_region.vert", "sprite_outline.frag"};
+    SpriteProgram single_{"sprite_quad.vert", "sprite_single.frag"};
+    SpriteShapes shapes_;
+    gl::StorageBuffer sprites_, corners_;
+    LitRows bufferLit_;  // of castBuffer
     SpriteTextures scratch_;
 };
 

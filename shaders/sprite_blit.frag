@@ -4,12 +4,13 @@
 #include "shared/sprite_mapping.glsl"
 
 layout(binding = 2) uniform sampler2DArray sprite_colours;
-layout(binding = 3) uniform usampler2DArray sprite_ids;
 
 layout(location = 0) out vec4 colour;
 
 #ifdef PER_PIXEL_DEPTH
 #include "shared/sprite_depth.glsl"
+
+layout(binding = 3) uniform usampler2DArray sprite_ids;
 
 // Nothing but a voxel has a depth of its own.
 float voxelDepth(ivec2 cell) {
@@ -28,10 +29,10 @@ float outlineDepth(ivec2 cell) {
 void main() {
     ivec2 cell;
     if (!virtualPixel(gl_FragCoord.xy, cell)) discard;
-    uint id = texelFetch(sprite_ids, atlas_place + ivec3(cell, 0), 0).r;
-    if (id == kIdEmpty) discard;
     colour = texelFetch(sprite_colours, atlas_place + ivec3(cell, 0), 0);
+    if (colour.a == 0.0) discard;
 #ifdef PER_PIXEL_DEPTH
-    gl_FragDepth = id == kIdOutline ? outlineDepth(cell) : voxelDepth(cell);
+    bool outline = texelFetch(sprite_ids, atlas_place + ivec3(cell, 0), 0).r == kIdOutline;
+    gl_FragDepth = outline ? outlineDepth(cell) : voxelDepth(cell);
 #endif
 }

@@ -1,6 +1,7 @@
 // Sprite buffer, first pass: one ray a virtual pixel.
 
 #include "shared/lattice.glsl"
+#include "shared/sprite_varyings.glsl"
 
 layout(binding = 1) uniform sampler2D palette_texture;  // lit; column = material, row = face axis
 
@@ -8,12 +9,12 @@ layout(location = 0) out vec4 colour;
 layout(location = 1) out uint id;
 
 void main() {
-    LatticeHit hit = castLattice(ivec2(first_x, first_y) + ivec2(gl_FragCoord.xy));
+    LatticeHit hit = castLattice(region_first + ivec2(gl_FragCoord.xy) - atlas_place.xy);
     if (hit.material == 0u) {
         colour = vec4(0.0);
         id = 0u;
         return;
     }
-    colour = texelFetch(palette_texture, ivec2(int(hit.material), hit.face_axis), 0);
+    colour = texelFetch(palette_texture, ivec2(int(hit.material), palette_row + hit.face_axis), 0);
     id = voxelId(hit);
 }

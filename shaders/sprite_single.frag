@@ -2,6 +2,7 @@
 // neighbours on a miss.
 
 #include "shared/lattice.glsl"
+#include "shared/sprite_draw.glsl"
 #include "shared/sprite_mapping.glsl"
 
 layout(binding = 1) uniform sampler2D palette_texture;  // lit; column = material, row = face axis
@@ -29,11 +30,10 @@ void main() {
         if (any(lessThan(neighbour, ivec2(0))) || any(greaterThanEqual(neighbour, region_size))) {
             continue;
         }
-        ivec2 pixel = neighbour + ivec2(first_x, first_y);
-        LatticeHit hit = castLattice(pixel);
+        LatticeHit hit = castLattice(neighbour + region_first);
         if (hit.material == 0u) continue;
         if (k == 0) {
-            colour = texelFetch(palette_texture, ivec2(int(hit.material), hit.face_axis), 0);
+            colour = texelFetch(palette_texture, ivec2(int(hit.material), palette_row + hit.face_axis), 0);
             id = voxelId(hit);
         } else {
             colour = outline_colour;

@@ -4,6 +4,7 @@
 // that errors do not grow; where it leaves a node its cell is clamped to that node. So a ray cannot
 // slip between two cells (Amanatides & Woo 1987).
 
+#include "shared/octree_block.glsl"
 #include "shared/octree.glsl"
 #include "shared/voxel_view.glsl"
 

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <utility>
 
 namespace voxprite {
 
@@ -27,15 +28,44 @@ std::size_t LatticeMemo::KeyHash::operator()(const Key& key) const {
     return static_cast<std::size_t>(state);
 }
 
+void LatticeMemo::remember(Shard& shard, const Key& key, const LatticeView& lattice) {
+    if (shard.recent.size() >= kMostRecent) {
+        shard.older = std::move(shard.recent);
+        shard.recent.clear();
+    }
+    shard.recent.emplace(key, lattice);
+}
+
 Result<LatticeView> LatticeMemo::quantise(const OrthoView& view, glm::ivec3 modelSize) {
-    constexpr std::size_t kMostKept = std::size_t{1} << 17;
     const Key key{view, modelSize};
-    if (const auto found = lattices_.find(key); found != lattices_.end()) return found->second;
+    // The map goes by the low bits.
+    Shard& shard = shards_[(KeyHash{}(key) >> 48) % kShards];
+    {
+        const std::lock_guard lock(shard.mutex);
+        if (const auto found = shard.recent.find(key); found != shard.recent.end()) {
+            return found->second;
+        }
+        if (const auto found = shard.older.find(key); found != shard.older.end()) {
+            const LatticeView lattice = found->second;
+            shard.older.erase(found);
+            remember(shard, key, lattice);
+            return lattice;
+        }
+    }
     Result<LatticeView> lattice = quantiseView(view, modelSize);
     if (!lattice) return lattice;
-    if (lattices_.size() >= kMostKept) lattices_.clear();
-    lattices_.emplace(key, *lattice);
+    const std::lock_guard lock(shard.mutex);
+    remember(shard, key, *lattice);
     return lattice;
+}
+
+std::size_t LatticeMemo::kept() const {
+    std::size_t sum = 0;
+    for (const Shard& shard : shards_) {
+        const std::lock_guard lock(shard.mutex);
+        sum += shard.recent.size() + shard.older.size();
+    }
+    return sum;
 }
 
 }  // namespace voxprite

@@ -89,4 +89,8 @@ void StorageBuffer::upload(std::uint32_t binding, const void* data, std::size_t 
     uploadAndBind(buffer_, GL_SHADER_STORAGE_BUFFER, binding, data, bytes);
 }
 
+void StorageBuffer::bindTo(std::uint32_t binding) const {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer_.id());
+}
+
 }  // namespace voxprite::gl

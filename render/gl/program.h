@@ -44,9 +44,15 @@ class StorageBuffer {
         static_assert(sizeof(Item) % 16 == 0, "structs that hold vec4 are multiples of 16 bytes");
         upload(static_cast<std::uint32_t>(binding), items.data(), items.size_bytes());
     }
+    // What was set last, again.
+    template <class Binding>
+    void bind(Binding binding) const {
+        bindTo(static_cast<std::uint32_t>(binding));
+    }
 
   private:
     void upload(std::uint32_t binding, const void* data, std::size_t bytes);
+    void bindTo(std::uint32_t binding) const;
     Buffer buffer_;
 };
 

@@ -7,22 +7,31 @@
 // 31 bits for common models; LATTICE_WIDE computes in doubles, which hold integers below 2^53.
 
 #include "shared/lattice_point.glsl"
+#include "shared/ray_varyings.glsl"
 #include "shared/octree.glsl"
 
-layout(std140, binding = 1) uniform LatticeBlock {
-    ivec3 lattice_origin;  // C from the centre corner, not mirrored
-    int position_bits;
-    ivec3 lattice_right;  // U
-    int first_x;
-    ivec3 lattice_up;  // V
-    int first_y;
-    ivec3 lattice_direction;  // |D|
-    ivec3 mirror_sign;        // -1 where mirrored
-    ivec3 mirror_bits;        // edge - 1 where mirrored
-    ivec3 box_low;            // the model's box inside the root cube, mirrored tree coordinates
-    ivec3 box_high;
-    ivec3 box_centre;  // the centre corner, likewise
-};
+// The rays and the box that they meet, mirrored; in tree coordinates.
+ivec3 speed;        // |D|
+ivec3 mirror_sign;  // -1 where mirrored
+ivec3 mirror_bits;  // edge - 1 where mirrored
+ivec3 box_low;      // the model's box inside the root cube
+ivec3 box_high;
+ivec3 box_centre;  // the centre corner
+
+void mirrorRays() {
+    int edge = 1 << int(svo_max_depth);
+    ivec3 size = ivec3(svo_model_size);
+    ivec3 low = clamp(tree_from_voxel, 0, edge);
+    ivec3 high = clamp(tree_from_voxel + size, 0, edge);
+    ivec3 middle = tree_from_voxel + size / 2;
+    bvec3 mirrored = lessThan(lattice_direction, ivec3(0));
+    speed = abs(lattice_direction);
+    mirror_sign = mix(ivec3(1), ivec3(-1), mirrored);
+    mirror_bits = mix(ivec3(0), ivec3(edge - 1), mirrored);
+    box_low = mix(low, edge - high, mirrored);
+    box_high = mix(high, edge - low, mirrored);
+    box_centre = mix(middle, edge - middle, mirrored);
+}
 
 struct LatticeHit {
     uint material;  // 0: nothing was hit
@@ -56,7 +65,7 @@ Number3 rayOrigin(ivec2 pixel) {
     return Number3(mirror_sign) * latticePoint(lattice_origin, lattice_right, lattice_up, pixel);
 }
 
-// The time at which an axis is crossed is numerator / lattice_direction of that axis.
+// The time at which an axis is crossed is numerator / speed of that axis.
 struct Crossing {
     int axis;
     Number numerator;
@@ -66,13 +75,13 @@ struct Crossing {
 // The numerators for the three faces at `face`; `still` for an axis along which nothing moves.
 Number3 numerators(ivec3 face, Number3 origin, Number still) {
     Number3 n = Number3(face - box_centre) * Number(1 << position_bits) - origin;
-    return mix(n, Number3(still), equal(lattice_direction, ivec3(0)));
+    return mix(n, Number3(still), equal(speed, ivec3(0)));
 }
 
 // Ties go to the lowest axis first: so the earliest of equals is the lowest axis ...
 Crossing earliest(ivec3 face, Number3 origin) {
     Number3 n = numerators(face, origin, Number(1));
-    Number3 d = Number3(lattice_direction);
+    Number3 d = Number3(speed);
     Crossing best = Crossing(0, n.x, d.x);
     if (n.y * best.denominator < best.numerator * d.y) best = Crossing(1, n.y, d.y);
     if (n.z * best.denominator < best.numerator * d.z) best = Crossing(2, n.z, d.z);
@@ -82,7 +91,7 @@ Crossing earliest(ivec3 face, Number3 origin) {
 // ... and the latest the highest.
 Crossing latest(ivec3 face, Number3 origin) {
     Number3 n = numerators(face, origin, Number(-1));
-    Number3 d = Number3(lattice_direction);
+    Number3 d = Number3(speed);
     Crossing best = Crossing(0, n.x, d.x);
     if (n.y * best.denominator >= best.numerator * d.y) best = Crossing(1, n.y, d.y);
     if (n.z * best.denominator >= best.numerator * d.z) best = Crossing(2, n.z, d.z);
@@ -93,14 +102,15 @@ Crossing latest(ivec3 face, Number3 origin) {
 // face that it meets at the same time: there the face does not count (ceil - 1, not floor).
 ivec3 cellAfter(Crossing crossing, Number3 origin) {
     ivec3 later = ivec3(greaterThan(ivec3(0, 1, 2), ivec3(crossing.axis))) *
-                  min(lattice_direction, ivec3(1));
+                  min(speed, ivec3(1));
     Number3 moved = floorDivide(
-        Number3(lattice_direction) * crossing.numerator - Number3(later), crossing.denominator);
+        Number3(speed) * crossing.numerator - Number3(later), crossing.denominator);
     return box_centre + cellOf(origin + moved);
 }
 
 LatticeHit castLattice(ivec2 pixel) {
     LatticeHit hit = LatticeHit(0u, 0, ivec3(0));
+    mirrorRays();
     Number3 origin = rayOrigin(pixel);
     Crossing crossing = latest(box_low, origin);
     ivec3 cell = cellAfter(crossing, origin);

@@ -1,15 +1,9 @@
 // The baked octree in a texture: nodes, then payloads, linear index i at (i % width, i / width).
 // The words are those of core/svo/octree.h. All cells here are tree coordinates, inside the root.
+// Who includes this declares, as uniforms or as inputs: uint svo_max_depth, and node_offset and
+// payload_offset in texels (a payload takes two, low word first).
 
 layout(binding = 0) uniform usampler2D svo_texture;
-
-layout(std140, binding = 0) uniform OctreeBlock {
-    uvec3 svo_model_size;
-    uint svo_max_depth;
-    ivec3 tree_from_voxel;
-    uint node_offset;     // texels
-    uint payload_offset;  // texels; a payload takes two, low word first
-};
 
 const uint kWidthBits = 12u;  // the texture is 4096 texels wide
 const uint kInternal = 0x80000000u;

@@ -1,30 +1,16 @@
-// The sprites of one draw: where each stands on the screen and what it writes.
-// sigma, voxel_size, anchor_to_center, ray_dir_local, camera_up_local and light_dir are what the
-// integers of the lattice and the palette were made from; they are here for whoever looks at a
-// frame in a debugger.
+// The sprites of a draw, one struct each, and what all of them share.
+//
+// sigma, voxel_size, camera_distance, anchor_to_center, ray_dir_local, camera_up_local and light_dir
+// are what the integers of the lattice and the palette were made from; they are here for whoever
+// looks at a frame in a debugger.
 
 struct Sprite {
-    vec4 corners[8];            // clip space; a quad's four, or a box's eight in octant order
     vec4 pixel_from_screen[3];  // of (x, y, 1), x and y from screen_reference; homogeneous
     vec2 screen_reference;
-    ivec2 region_size;  // virtual pixels; pixel (0, 0) of the region is (first_x, first_y)
-    vec4 outline_colour;
-    int outline_enabled;
-    int proxy_is_box;
-    float billboard_depth;  // what the sprite writes; the nearest of it for per-pixel depth
-    float camera_distance;  // of the sprite plane, metres
-    // Per-pixel depth: a point of the lattice, in steps from the centre corner, lies
-    // dot(depth_per_step, (point, 1)) metres ahead of the eye, at the depth
-    // (x * metres + y) / (z * metres + w).
-    vec4 depth_per_step;
-    vec4 depth_from_metres;
-    vec3 ray_dir_local;
-    float voxel_size;
-    vec3 camera_up_local;
-    float sigma;
-    vec3 anchor_to_center;
-    vec3 light_dir;
-    // The lattice as in LatticeBlock, but D with its signs.
+    ivec2 region_size;  // virtual pixels; cell (0, 0) of the region is pixel (first_x, first_y)
+    ivec3 atlas_place;  // texel and page of cell (0, 0)
+    int palette_row;    // the first of three in palette_texture
+    // The lattice: C from the centre corner, U, V and D.
     ivec3 lattice_origin;
     int position_bits;
     ivec3 lattice_right;
@@ -32,10 +18,37 @@ struct Sprite {
     ivec3 lattice_up;
     int first_y;
     ivec3 lattice_direction;
+    uint svo_max_depth;
     uvec3 svo_model_size;
-    ivec3 atlas_place;  // texel and page of pixel (0, 0) of the region
+    uint node_offset;  // texels of svo_texture
+    ivec3 tree_from_voxel;
+    uint payload_offset;  // texels
+    // Per-pixel depth: a point of the lattice, in steps from the centre corner, lies
+    // dot(depth_per_step, (point, 1)) metres ahead of the eye.
+    vec4 depth_per_step;
+    vec3 ray_dir_local;
+    float voxel_size;
+    vec3 camera_up_local;
+    float sigma;
+    vec3 anchor_to_center;
+    float billboard_depth;  // what the sprite writes; the nearest of it for per-pixel depth
+    vec3 light_dir;
+    float camera_distance;  // of the sprite plane, metres
 };
 
-layout(std430, binding = 2) readonly buffer Sprites {
+layout(std430, binding = 0) readonly buffer Sprites {
     Sprite sprites[];
 };
+
+#include "shared/sprite_draw.glsl"
+
+// Sprites are drawn in groups, a group an instance: four vertices make a poor instance.
+const int kGroupSize = 32;
+
+// Which sprite a vertex belongs to, each having so many; -1 beyond the last.
+int spriteOfVertex(int vertices_each) {
+    int number = gl_InstanceID * kGroupSize + gl_VertexID / vertices_each;
+    return number < sprite_count ? first_sprite + number : -1;
+}
+
+const vec4 kNowhere = vec4(2.0, 2.0, 0.0, 1.0);

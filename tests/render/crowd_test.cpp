@@ -192,7 +192,7 @@ TEST_F(Crowds, OldSpritesGiveTheirRoomToNewOnes) {
         const Camera view = camera(7.0 * step, 15.0, 9.0);
         const Picture picture = draw(scene, view, profile);
         EXPECT_EQ(picture.stats.drawCalls, 1);
-        EXPECT_EQ(picture.stats.atlasBytes, 384U * 384U * 8U);
+        EXPECT_EQ(picture.stats.atlasBytes, 384U * 384U * 4U);
         EXPECT_EQ(mismatches(picture.colour, oneByOne(scene, view, profile)), 0U) << step;
     }
 }

@@ -48,21 +48,23 @@ TEST_F(GlBasics, AContextMayFollowAnother) {
 
 TEST_F(GlBasics, EveryShaderCompilesInEveryVariant) {
     const std::vector<std::pair<std::string, std::string>> programs{
-        {"fullscreen.vert", "sprite_cast.frag"},
+        {"sprite_region.vert", "sprite_cast.frag"},
         {"sprite_quad.vert", "sprite_single.frag"},
         {"sprite_quad.vert", "sprite_blit.frag"},
-        {"sprite_quad.vert", "sprite_outline.frag"},
+        {"sprite_region.vert", "sprite_outline.frag"},
         {"fullscreen.vert", "scene_backdrop.frag"},
         {"fullscreen.vert", "voxel_backdrop.frag"},
         {"voxel_view.vert", "voxel_view.frag"},
         {"shadow_blob.vert", "shadow_blob.frag"},
         {"overlay_line.vert", "overlay_line.frag"},
-        {"overlay_triangle.vert", "overlay_triangle.frag"}};
+        {"overlay_triangle.vert", "overlay_triangle.frag"},
+        {"bench_seed.vert", "bench_seed.frag"}};
     std::vector<std::string> used;
     for (const auto& [vertex, fragment] : programs) {
         for (const std::vector<std::string>& defines : {std::vector<std::string>{},
                                                         {"LATTICE_WIDE"},
                                                         {"PER_PIXEL_DEPTH"},
+                                                        {"PROXY_BOX", "SPRITE_IDS"},
                                                         {"LATTICE_WIDE", "PER_PIXEL_DEPTH"}}) {
             const auto program = gl::compileProgram(vertex, fragment, defines);
             EXPECT_TRUE(program) << program.error().message;
