@@ -1,6 +1,7 @@
 // A scene of sprites: the entities of a small game world, on a ground, with a depth buffer.
 //
-// Two ways to the same pixels (profile-independent, see SpriteMode): they agree in every pixel.
+// Two ways to the same pixels (SpriteMode of core/model/game_profile.h): they agree in every pixel.
+// Which one is for the caller to say; the profile's own choice is profile.mode.
 //
 // With sprite buffers a scene is one instanced draw, however many entities it has: their finished
 // sprites lie in a common atlas, where equal sprites (SpriteKey) share one place and stay until the
@@ -22,11 +23,6 @@
 #include "render/gpu_octree.h"
 
 namespace voxprite {
-
-enum class SpriteMode : std::uint8_t {
-    spriteBuffer,  // one ray a virtual pixel into a small buffer, outline by dilation, nearest blit
-    singlePass     // every fragment casts its ray, and up to four neighbours on a miss
-};
 
 struct SceneEntity {
     const GpuOctree* octree = nullptr;

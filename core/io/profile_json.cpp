@@ -25,6 +25,8 @@ constexpr std::array kProxyShapes{Named{ProxyShape::quad, "quad"}, Named{ProxySh
 constexpr std::array kDepthRules{Named{DepthRule::centre, "centre"},
                                  Named{DepthRule::groundSafe, "ground_safe"},
                                  Named{DepthRule::perPixel, "per_pixel"}};
+constexpr std::array kSpriteModes{Named{SpriteMode::spriteBuffer, "sprite_buffer"},
+                                  Named{SpriteMode::singlePass, "single_pass"}};
 constexpr std::array kShadings{Named{Shading::multiply, "multiply"},
                                Named{Shading::palette, "palette"}};
 
@@ -68,6 +70,7 @@ GameProfile profileFromJson(const nlohmann::ordered_json& json) {
     readNamed(object, "registration", profile.registration, registrationNamed);
     readNamed(object, "proxy", profile.proxy, proxyShapeNamed);
     readNamed(object, "depth", profile.depth, depthRuleNamed);
+    readNamed(object, "mode", profile.mode, spriteModeNamed);
     object.read("groundClearancePx", profile.groundClearancePx);
     object.read("minification", profile.minification);
     object.read("viewStepDegrees", profile.viewStepDegrees);
@@ -102,6 +105,9 @@ const char* nameOf(ProxyShape value) {
 const char* nameOf(DepthRule value) {
     return nameIn(kDepthRules, value);
 }
+const char* nameOf(SpriteMode value) {
+    return nameIn(kSpriteModes, value);
+}
 const char* nameOf(Shading value) {
     return nameIn(kShadings, value);
 }
@@ -117,6 +123,9 @@ Result<ProxyShape> proxyShapeNamed(std::string_view name) {
 }
 Result<DepthRule> depthRuleNamed(std::string_view name) {
     return valueIn(kDepthRules, name);
+}
+Result<SpriteMode> spriteModeNamed(std::string_view name) {
+    return valueIn(kSpriteModes, name);
 }
 Result<Shading> shadingNamed(std::string_view name) {
     return valueIn(kShadings, name);
@@ -141,6 +150,7 @@ std::string writeProfile(const GameProfile& profile) {
         {"registration", nameOf(profile.registration)},
         {"proxy", nameOf(profile.proxy)},
         {"depth", nameOf(profile.depth)},
+        {"mode", nameOf(profile.mode)},
         {"groundClearancePx", profile.groundClearancePx},
         {"minification", profile.minification},
         {"viewStepDegrees", profile.viewStepDegrees},

@@ -25,11 +25,13 @@ namespace voxprite {
 [[nodiscard]] const char* nameOf(Registration value);
 [[nodiscard]] const char* nameOf(ProxyShape value);
 [[nodiscard]] const char* nameOf(DepthRule value);
+[[nodiscard]] const char* nameOf(SpriteMode value);
 [[nodiscard]] const char* nameOf(Shading value);
 [[nodiscard]] Result<ViewRule> viewRuleNamed(std::string_view name);
 [[nodiscard]] Result<Registration> registrationNamed(std::string_view name);
 [[nodiscard]] Result<ProxyShape> proxyShapeNamed(std::string_view name);
 [[nodiscard]] Result<DepthRule> depthRuleNamed(std::string_view name);
+[[nodiscard]] Result<SpriteMode> spriteModeNamed(std::string_view name);
 [[nodiscard]] Result<Shading> shadingNamed(std::string_view name);
 
 }  // namespace voxprite

@@ -45,6 +45,7 @@ Status validate(const GameProfile& profile) {
     }
     if (Status s = checkChoice("proxy", static_cast<int>(profile.proxy), 1); !s) return s;
     if (Status s = checkChoice("depth", static_cast<int>(profile.depth), 2); !s) return s;
+    if (Status s = checkChoice("mode", static_cast<int>(profile.mode), 1); !s) return s;
     if (Status s = checkChoice("shading", static_cast<int>(profile.shading), 1); !s) return s;
     if (Status s = checkRange("groundClearancePx", profile.groundClearancePx, 0.0, 64.0); !s) {
         return s;

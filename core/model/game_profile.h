@@ -23,6 +23,12 @@ enum class DepthRule : std::uint8_t { centre, groundSafe, perPixel };
 // has only the artist's colours (core/sprite/palette_shading.h).
 enum class Shading : std::uint8_t { multiply, palette };
 
+// How sprites are drawn. Both ways give the same pixels.
+enum class SpriteMode : std::uint8_t {
+    spriteBuffer,  // one ray a virtual pixel into a small buffer, outline by dilation, nearest blit
+    singlePass     // every fragment casts its ray, and up to four neighbours on a miss
+};
+
 struct Outline {
     bool enabled = true;
     Rgba8 colour{0, 0, 0, 255};  // alpha is always 255
@@ -43,6 +49,7 @@ struct GameProfile {
     Registration registration = Registration::modelCentre;
     ProxyShape proxy = ProxyShape::quad;
     DepthRule depth = DepthRule::groundSafe;
+    SpriteMode mode = SpriteMode::spriteBuffer;
     double groundClearancePx =
         1.0;                       // virtual pixels that a grounded entity floats above the ground
     bool minification = true;      // halve sigma while a virtual pixel is under a screen pixel

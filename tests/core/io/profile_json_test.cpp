@@ -13,6 +13,7 @@ GameProfile unusualProfile() {
     profile.registration = Registration::anchor;
     profile.proxy = ProxyShape::box;
     profile.depth = DepthRule::perPixel;
+    profile.mode = SpriteMode::singlePass;
     profile.groundClearancePx = 0.0;
     profile.minification = false;
     profile.viewStepDegrees = 11.25;
@@ -66,6 +67,9 @@ TEST(ProfileJson, NamesAreThoseOfTheCommandLine) {
     }
     for (const DepthRule v : {DepthRule::centre, DepthRule::groundSafe, DepthRule::perPixel}) {
         EXPECT_EQ(depthRuleNamed(nameOf(v)).value(), v);
+    }
+    for (const SpriteMode v : {SpriteMode::spriteBuffer, SpriteMode::singlePass}) {
+        EXPECT_EQ(spriteModeNamed(nameOf(v)).value(), v);
     }
     EXPECT_NE(depthRuleNamed("middle").error().message.find("ground_safe"), std::string::npos);
 }

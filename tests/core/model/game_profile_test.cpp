@@ -42,6 +42,8 @@ TEST(GameProfile, MessagesNameFieldValueAndRange) {
               "outline.colour has alpha 128; it must be 255");
     EXPECT_EQ(messageFor([](GameProfile& p) { p.depth = static_cast<DepthRule>(3); }),
               "depth is no choice there is (3)");
+    EXPECT_EQ(messageFor([](GameProfile& p) { p.mode = static_cast<SpriteMode>(2); }),
+              "mode is no choice there is (2)");
     EXPECT_EQ(messageFor([](GameProfile& p) { p.view = static_cast<ViewRule>(9); }),
               "view is no choice there is (9)");
 }
