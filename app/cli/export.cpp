@@ -52,9 +52,13 @@ Result<Report> exportSvo(const Options& options) {
     Json models = Json::array();
     for (const SvoModel& model : file->models) models.push_back(modelJson(model));
     Report report;
-    report.json = {{"input", textJson(options.input)}, {"output", textJson(options.output)},
-                   {"bytes", bytes->size()},           {"models", std::move(models)},
-                   {"clips", file->clips.size()},      {"verified", true},
+    report.json = {{"input", textJson(options.input)},
+                   {"output", textJson(options.output)},
+                   {"bytes", bytes->size()},
+                   {"models", std::move(models)},
+                   {"clips", file->clips.size()},
+                   {"sockets", file->sockets.size()},
+                   {"verified", true},
                    {"warnings", std::move(warnings)}};
     report.text = options.output + ": " + std::to_string(bytes->size()) + " bytes, " +
                   std::to_string(file->models.size()) +

@@ -5,6 +5,7 @@
 #include "app/cli/lattice_json.h"
 #include "app/cli/render_shot.h"
 #include "core/io/png.h"
+#include "core/sprite/sprite_point.h"
 
 namespace voxprite::cli {
 namespace {
@@ -21,6 +22,22 @@ const char* nameOfUnseen(Unseen reason) {
     return "unknown";
 }
 
+// Where the sockets show, in the buffer's pixels; nowhere when there is no buffer.
+Json socketsJson(const Shot& shot) {
+    Json sockets = Json::array();
+    for (const ShotSocket& socket : shot.sockets) {
+        Json json{{"name", textJson(socket.name)}, {"px", nullptr}, {"visible", false}};
+        if (shot.lattice.size.x > 0) {
+            const SpritePoint at =
+                locateInSprite(shot.lattice, shot.octree.view(), socket.position);
+            json["px"] = {at.px.x, at.px.y};
+            json["visible"] = at.visible;
+        }
+        sockets.push_back(std::move(json));
+    }
+    return sockets;
+}
+
 Json reportJson(const RenderOptions& options, const Shot& shot, const Drawn& drawn,
                 const Times& times) {
     Json json{{"backend", nameOf(options.backend)}, {"mode", nameOf(options.mode)}};
@@ -35,6 +52,7 @@ Json reportJson(const RenderOptions& options, const Shot& shot, const Drawn& dra
                           {"opaque", buffer.opaqueCount()},
                           {"outline", buffer.outlineCount()}};
         json["lattice"] = latticeJson(shot.lattice);
+        json["sockets"] = socketsJson(shot);
     }
     const glm::ivec2 size = shot.latticeGiven && drawn.buffer ? drawn.buffer->size : options.sizePx;
     json["image"] = {{"size", {size.x, size.y}}};

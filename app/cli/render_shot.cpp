@@ -158,6 +158,10 @@ Result<Shot> makeShot(const RenderOptions& options, Times& times) {
     Shot shot;
     shot.octree = std::move(*octree);
     shot.palette = document.palette;
+    for (const Socket& socket : document.sockets) {
+        const glm::dvec3 position = positionAt(socket, options.frame) - glm::dvec3(bounds.min);
+        shot.sockets.push_back({socket.name, position});
+    }
     shot.profile = *profile;
     shot.placed = placeEntity(entityOf(document.entity, options, bounds), bounds, *profile);
     if (!options.positionMetres) shot.placed.anchorMetres -= shot.placed.centreMetres();

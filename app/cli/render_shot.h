@@ -18,9 +18,16 @@ namespace voxprite::cli {
 // Milliseconds by what they were spent on, in the order of doing.
 using Times = std::vector<std::pair<std::string, double>>;
 
+// A socket in the frame that is drawn.
+struct ShotSocket {
+    std::string name;
+    glm::dvec3 position{0.0};  // voxels from the octree's minimum corner
+};
+
 struct Shot {
     Octree octree;  // of the frame, in the entity's bounds
     Palette palette;
+    std::vector<ShotSocket> sockets;
     PlacedEntity placed;
     GameProfile profile;
     Camera camera;

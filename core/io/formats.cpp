@@ -112,6 +112,13 @@ std::vector<std::string> lossesOf(const Document& document, Format format) {
         losses.push_back(where + " has no colour ramps: " + std::to_string(palette.ramps.size()) +
                          " left out");
     }
+    if (format != Format::vox) return losses;
+    const auto leftOut = [&](std::size_t count, const char* what) {
+        if (count == 0) return;
+        losses.push_back(where + " has no " + what + ": " + std::to_string(count) + " left out");
+    };
+    leftOut(document.clips.size(), "clips");
+    leftOut(document.sockets.size(), "sockets");
     return losses;
 }
 

@@ -11,6 +11,8 @@
 
 namespace voxprite {
 
+inline constexpr int kProjectVersion = 1;
+
 // Where the voxels of a model are, and how to know that they are the right ones.
 struct VoxelEntry {
     std::string file;

@@ -8,7 +8,8 @@
 //   byte  type    header (64 bytes)
 //      0  u8[8]   magic: 89 53 56 4F 0D 0A 1A 0A  ("\x89SVO\r\n\x1A\n")
 //      8  u16     major version, 1: a reader refuses any other
-//     10  u16     minor version, 0: later ones only add sections and use reserved bytes
+//     10  u16     minor version: later ones only add sections and use reserved bytes. The least
+//                 that has what the file holds: 1 with sockets, else 0
 //     12  u32     number of sections
 //     16  u64     length of the whole file
 //     24  u8[36]  reserved
@@ -23,9 +24,9 @@
 //     24  u32     CRC-32 of the section
 //     28  u32     reserved
 //
-// The sections of version 1, all of them required. Their order in the file is free; writeSvo writes
-// this one. A text is a pair (u32 offset into STRS, u32 length): UTF-8, no terminating zero; no two
-// texts share bytes, (0, 0) is the empty text.
+// The sections of version 1.0, all of them required. Their order in the file is free; writeSvo
+// writes this one. A text is a pair (u32 offset into STRS, u32 length): UTF-8, no terminating zero;
+// no two texts share bytes, (0, 0) is the empty text.
 //
 //   MODL  64 bytes a model, at least one: the descriptors
 //      0  u32     NodeOffset: first node of this model in NODE, in nodes
@@ -60,6 +61,15 @@
 //     48  text    name of the entity
 //     56  u8[8]   reserved
 //   STRS  the bytes of all texts
+//
+// Since version 1.1 there may be two more, which a reader may skip. Both are there or none:
+//
+//   SOCK  16 bytes a socket: a named point where the game fastens things
+//      0  text    name
+//      8  u32     first position in SPOS; sockets follow one another without gaps
+//     12  u32     number of positions: 1, which holds always, or one for each frame in FRAM
+//   SPOS  24 bytes a position
+//      0  f64[3]  x, y, z in voxels from the models' minimum corner, as the anchor
 //
 // Limits, so that a small file cannot unfold into more than a machine holds: 65,536 frames (those
 // of the clips, and one for each model that no clip shows) and 2^40 solid voxels in all models.
@@ -105,9 +115,18 @@ struct SvoClip {
     bool operator==(const SvoClip&) const = default;
 };
 
+struct SvoSocket {
+    std::string name;
+    // Voxels, from the minimum corner: one, or one for each frame of the clips, one clip after the
+    // other.
+    std::vector<glm::dvec3> positions;
+    bool operator==(const SvoSocket&) const = default;
+};
+
 struct SvoFile {
     std::vector<SvoModel> models;
     std::vector<SvoClip> clips;
+    std::vector<SvoSocket> sockets;
     std::array<Rgba8, 256> palette{};
     std::array<std::string, 256> colourNames;
     std::string name;
@@ -120,7 +139,7 @@ struct SvoFile {
 
 // Frames of a document baked into a file, with the authored values of the profile. One model a
 // frame; equal frames are shared. The document's clips; without any, more than one frame make one
-// clip "all".
+// clip "all". Where a socket lies in frames that no clip shows is not written.
 [[nodiscard]] Result<SvoFile> bakeForExport(const Document& document, const GameProfile& profile);
 // Only source model `model` of the document, without its placement; its anchor is its bottom
 // centre.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 
@@ -36,17 +37,22 @@ SvoFile emptyFile(const Document& document, const GameProfile& profile, std::str
     return file;
 }
 
-// Durations add up to the clip's length, however its frames round.
-std::uint32_t durationOf(int frame, double framesPerSecond) {
+// Of the clip's frame number `frame`. Those of a rate add up to the clip's length, however they
+// round.
+std::uint32_t durationOf(const Clip& clip, int frame) {
+    if (!clip.durationsMilliseconds.empty()) {
+        return static_cast<std::uint32_t>(
+            clip.durationsMilliseconds[static_cast<std::size_t>(frame)]);
+    }
     const auto milliseconds = [&](int frames) {
-        return std::llround(frames * 1000.0 / framesPerSecond);
+        return std::llround(frames * 1000.0 / clip.framesPerSecond);
     };
     return static_cast<std::uint32_t>(std::max(milliseconds(frame + 1) - milliseconds(frame), 1LL));
 }
 
-// The rate whose frames round to these durations: a whole one if there is, so that a file made from
-// a file is the same. Of uneven durations the mean.
-double framesPerSecondOf(const std::vector<std::uint32_t>& durations) {
+// Sets the clip's durations from those of a file: a rate whose frames round to them if there is
+// one, a whole one before others, so that a file made from a file is the same; else one by one.
+void setDurations(Clip& clip, const std::vector<std::uint32_t>& durations) {
     // Milliseconds a frame: after k frames k of them have to round to what has passed by then.
     double least = 0.0;
     double most = std::numeric_limits<double>::infinity();
@@ -60,8 +66,14 @@ double framesPerSecondOf(const std::vector<std::uint32_t>& durations) {
     }
     const double mean = 1000.0 * frames / passed;
     const double whole = std::round(mean);
-    if (1000.0 / whole > least && 1000.0 / whole < most) return whole;
-    return least < most ? 2000.0 / (least + most) : mean;
+    if (1000.0 / whole > least && 1000.0 / whole < most) {
+        clip.framesPerSecond = whole;
+    } else if (least < most) {
+        clip.framesPerSecond = 2000.0 / (least + most);
+    } else {
+        clip.framesPerSecond = mean;
+        clip.durationsMilliseconds.assign(durations.begin(), durations.end());
+    }
 }
 
 SvoClip clipOf(const Clip& clip, const std::vector<std::uint32_t>& modelOfFrame) {
@@ -70,8 +82,7 @@ SvoClip clipOf(const Clip& clip, const std::vector<std::uint32_t>& modelOfFrame)
     result.loop = clip.loop;
     for (int frame = clip.first; frame <= clip.last; ++frame) {
         result.models.push_back(modelOfFrame[static_cast<std::size_t>(frame)]);
-        result.durationsMilliseconds.push_back(
-            durationOf(frame - clip.first, clip.framesPerSecond));
+        result.durationsMilliseconds.push_back(durationOf(clip, frame - clip.first));
     }
     return result;
 }
@@ -87,6 +98,41 @@ std::vector<Clip> clipsOf(const Document& document) {
         clips.push_back(all);
     }
     return clips;
+}
+
+// The frames of the document that an export of its clips shows, one clip after the other.
+std::vector<int> framesOf(const std::vector<Clip>& clips) {
+    std::vector<int> frames;
+    for (const Clip& clip : clips) {
+        for (int frame = clip.first; frame <= clip.last; ++frame) frames.push_back(frame);
+    }
+    return frames;
+}
+
+SvoSocket socketOf(const Socket& socket, const std::vector<int>& frames, glm::dvec3 minimum) {
+    SvoSocket result;
+    result.name = utf8FromBytes(socket.name);
+    for (const int frame : frames) {
+        result.positions.push_back(positionAt(socket, frame) - minimum);
+    }
+    const bool still =
+        std::ranges::adjacent_find(result.positions, std::not_equal_to{}) == result.positions.end();
+    if (still) result.positions = {positionAt(socket, frames.empty() ? 0 : frames[0]) - minimum};
+    return result;
+}
+
+// Its frames are those of the file's clips, in their order.
+Socket socketFrom(const SvoSocket& exported, glm::dvec3 minimum) {
+    Socket socket;
+    socket.name = exported.name;
+    socket.positions.clear();
+    for (int frame = 0; frame < static_cast<int>(exported.positions.size()); ++frame) {
+        const glm::dvec3 place = exported.positions[static_cast<std::size_t>(frame)] + minimum;
+        if (socket.positions.empty() || socket.positions.back().positionVoxels != place) {
+            socket.positions.push_back({frame, place});
+        }
+    }
+    return socket;
 }
 
 Failure different(const std::string& what, glm::ivec3 voxel, int expected, int found) {
@@ -116,6 +162,24 @@ Status compare(const Octree& octree, const VoxelGrid& voxels, const std::string&
 Status compareCommon(const SvoFile& file, const Document& document, const glm::dvec3& anchor) {
     if (file.palette != document.palette.colours) return fail("the export has another palette");
     if (file.anchor != anchor) return fail("the export has another anchor");
+    return {};
+}
+
+Status compareSockets(const SvoFile& file, const Document& document,
+                      const std::vector<Clip>& clips) {
+    const Failure others = fail("the export has other sockets");
+    if (file.sockets.size() != document.sockets.size()) return others;
+    const glm::dvec3 minimum(entityBounds(document).min);
+    std::vector<int> frames = framesOf(clips);
+    if (frames.empty()) frames.push_back(0);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        for (std::size_t k = 0; k < file.sockets.size(); ++k) {
+            const SvoSocket& socket = file.sockets[k];
+            const glm::dvec3 place = positionAt(document.sockets[k], frames[i]) - minimum;
+            if (socket.name != utf8FromBytes(document.sockets[k].name)) return others;
+            if (socket.positions[socket.positions.size() == 1 ? 0 : i] != place) return others;
+        }
+    }
     return {};
 }
 
@@ -149,7 +213,11 @@ Result<SvoFile> bakeForExport(const Document& document, const GameProfile& profi
         }
         modelOfFrame.push_back(known->second);
     }
-    for (const Clip& clip : clipsOf(document)) file.clips.push_back(clipOf(clip, modelOfFrame));
+    const std::vector<Clip> clips = clipsOf(document);
+    for (const Clip& clip : clips) file.clips.push_back(clipOf(clip, modelOfFrame));
+    for (const Socket& socket : document.sockets) {
+        file.sockets.push_back(socketOf(socket, framesOf(clips), glm::dvec3(bounds.min)));
+    }
     return file;
 }
 
@@ -182,6 +250,7 @@ Status verifyExport(ByteView bytes, const Document& document) {
     if (Status s = compareCommon(*file, document, anchor); !s) return s;
     const std::vector<Clip> clips = clipsOf(document);
     if (clips.size() != file->clips.size()) return fail("the export has other clips");
+    if (Status s = compareSockets(*file, document, clips); !s) return s;
 
     // Frames shown by a clip are compared with what the clip shows there; the others with the
     // models that no clip shows, and one of those must be equal.
@@ -270,7 +339,7 @@ Document documentFromSvo(const SvoFile& file) {
         clip.name = exported.name;
         clip.loop = exported.loop;
         clip.first = frame;
-        clip.framesPerSecond = framesPerSecondOf(exported.durationsMilliseconds);
+        setDurations(clip, exported.durationsMilliseconds);
         for (const std::uint32_t model : exported.models) show(model);
         clip.last = frame - 1;
         document.clips.push_back(clip);
@@ -279,8 +348,12 @@ Document documentFromSvo(const SvoFile& file) {
 
     document.nodes[0].children.push_back(1);
     document.nodes.push_back(std::move(object));
+    const glm::dvec3 minimum(file.models.empty() ? glm::ivec3(0) : file.models[0].octree.origin);
+    for (const SvoSocket& exported : file.sockets) {
+        document.sockets.push_back(socketFrom(exported, minimum));
+    }
     if (!file.models.empty()) {
-        const glm::dvec3 anchor = file.anchor + glm::dvec3(file.models[0].octree.origin);
+        const glm::dvec3 anchor = file.anchor + minimum;
         if (anchor != anchorVoxels(Entity{}, bounds)) document.entity.anchorVoxels = anchor;
     }
     return document;

@@ -9,7 +9,6 @@
 namespace voxprite::svo {
 namespace {
 
-constexpr std::uint32_t kMaxDurationMilliseconds = 1'000'000;
 constexpr std::size_t kMaxSvoFrames = 1 << 16;
 static_assert(kMaxSvoFrames <= kMaxFrames, "what a file holds can be opened as a document");
 constexpr std::uint64_t kMaxSolids = std::uint64_t{1} << 40;
@@ -48,7 +47,7 @@ Status checkClip(const SvoClip& clip, const std::vector<SvoModel>& models) {
         return fail(name + " has not one duration a frame");
     }
     for (const std::uint32_t duration : clip.durationsMilliseconds) {
-        if (duration < 1 || duration > kMaxDurationMilliseconds) {
+        if (duration < 1 || duration > kMaxFrameMilliseconds) {
             return fail(name + " has a frame of " + std::to_string(duration) +
                         " ms; it must be 1 ... 1000000");
         }
@@ -63,6 +62,26 @@ Status checkClip(const SvoClip& clip, const std::vector<SvoModel>& models) {
         if (octree.size != first.size || octree.origin != first.origin) {
             return fail(name + " shows models of different sizes or origins");
         }
+    }
+    return {};
+}
+
+Status checkSocket(const SvoSocket& socket, const SvoFile& file) {
+    if (Status s = checkText(socket.name); !s) return s;
+    const std::string name = "socket \"" + socket.name + "\"";
+    const std::size_t frames = clipFrames(file);
+    if (socket.positions.size() != 1 && (frames == 0 || socket.positions.size() != frames)) {
+        return fail(name + " has " + std::to_string(socket.positions.size()) +
+                    " positions; it must be 1 or one for each of the clips' " +
+                    std::to_string(frames) + " frames");
+    }
+    Entity entity;  // what holds for the anchor holds for a socket
+    for (const glm::dvec3& position : socket.positions) {
+        entity.anchorVoxels = position;
+        if (!file.models.empty()) {
+            *entity.anchorVoxels += glm::dvec3(file.models[0].octree.origin);
+        }
+        if (!validate(entity)) return fail(name + " lies beyond 1e7 voxels from the origin");
     }
     return {};
 }
@@ -83,8 +102,7 @@ Status checkValues(const SvoFile& file) {
 
 Status checkLimits(const SvoFile& file) {
     if (file.models.empty()) return fail("the file holds no model");
-    std::size_t frames = modelsWithoutClip(file).size();
-    for (const SvoClip& clip : file.clips) frames += clip.models.size();
+    const std::size_t frames = modelsWithoutClip(file).size() + clipFrames(file);
     if (frames > kMaxSvoFrames) {
         return fail("the file has " + std::to_string(frames) + " frames; 65,536 are the limit");
     }
@@ -94,6 +112,12 @@ Status checkLimits(const SvoFile& file) {
         if (solids > kMaxSolids) return fail("the models hold more than 2^40 solid voxels");
     }
     return {};
+}
+
+std::size_t clipFrames(const SvoFile& file) {
+    std::size_t frames = 0;
+    for (const SvoClip& clip : file.clips) frames += clip.models.size();
+    return frames;
 }
 
 std::vector<std::uint32_t> modelsWithoutClip(const SvoFile& file) {

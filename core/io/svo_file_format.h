@@ -12,13 +12,27 @@ namespace voxprite::svo {
 
 inline constexpr std::array<std::uint8_t, 8> kMagic{0x89, 'S', 'V', 'O', '\r', '\n', 0x1A, '\n'};
 inline constexpr std::uint16_t kMajorVersion = 1;
-inline constexpr std::uint16_t kMinorVersion = 0;
+inline constexpr std::uint16_t kMinorOfSockets = 1;
 inline constexpr std::uint64_t kAlignment = 64;
 inline constexpr std::size_t kHeaderBytes = 64;
 inline constexpr std::size_t kHeaderCrcAt = 60;
 inline constexpr std::uint32_t kMustKnow = 1;  // flag of a section
 
-enum Section : std::size_t { MODL, NODE, PAYL, PALT, CNAM, CLIP, FRAM, AUTH, STRS, kSections };
+enum Section : std::size_t {
+    MODL,
+    NODE,
+    PAYL,
+    PALT,
+    CNAM,
+    CLIP,
+    FRAM,
+    AUTH,
+    STRS,
+    kRequired,  // the sections up to here
+    SOCK = kRequired,
+    SPOS,
+    kSections
+};
 
 struct SectionLayout {
     std::string_view tag;
@@ -33,7 +47,9 @@ inline constexpr std::array<SectionLayout, kSections> kLayouts{{{"MODL", 64, 0},
                                                                 {"CLIP", 32, 0},
                                                                 {"FRAM", 8, 0},
                                                                 {"AUTH", 64, 1},
-                                                                {"STRS", 1, 0}}};
+                                                                {"STRS", 1, 0},
+                                                                {"SOCK", 16, 0},
+                                                                {"SPOS", 24, 0}}};
 inline constexpr std::size_t kSectionEntryBytes = 32;
 
 // CRC-32 of header and section table, the checksum's own four bytes taken as 0.
@@ -44,11 +60,15 @@ inline constexpr std::size_t kSectionEntryBytes = 32;
 [[nodiscard]] Status checkModel(const SvoModel& model);
 // The models are checked before.
 [[nodiscard]] Status checkClip(const SvoClip& clip, const std::vector<SvoModel>& models);
+// The models and clips are checked before.
+[[nodiscard]] Status checkSocket(const SvoSocket& socket, const SvoFile& file);
 // Palette and authored values.
 [[nodiscard]] Status checkValues(const SvoFile& file);
 // The limits on the file as a whole; everything else is checked before.
 [[nodiscard]] Status checkLimits(const SvoFile& file);
 
+// Frames of all clips together.
+[[nodiscard]] std::size_t clipFrames(const SvoFile& file);
 // Indices of the models that no clip shows, ascending.
 [[nodiscard]] std::vector<std::uint32_t> modelsWithoutClip(const SvoFile& file);
 

@@ -59,7 +59,7 @@ class SvoReader {
         for (const auto step :
              {&SvoReader::readHeader, &SvoReader::readTable, &SvoReader::checkSections,
               &SvoReader::readModels, &SvoReader::readPalette, &SvoReader::readClips,
-              &SvoReader::readAuthored}) {
+              &SvoReader::readAuthored, &SvoReader::readSockets}) {
             if (Status s = (this->*step)(); !s) return tl::unexpected(s.error());
         }
         if (Status s = svo::checkLimits(file_); !s) {
@@ -162,6 +162,7 @@ class SvoReader {
             const svo::SectionLayout& layout = svo::kLayouts[i];
             const std::string name = "section " + std::string(layout.tag);
             const Part& part = parts_[i];
+            if (!part.present && i >= svo::kRequired) continue;
             if (!part.present) return failAtByte(svo::kHeaderBytes, name + " is missing");
             if (part.length % layout.recordBytes != 0 ||
                 (layout.records != 0 && part.length != layout.recordBytes * layout.records)) {
@@ -296,6 +297,38 @@ class SvoReader {
         if (Status s = readText(fields, file_.name); !s) return s;
         if (Status s = fields.status(); !s) return s;
         return atByte(at(svo::AUTH), svo::checkValues(file_));
+    }
+
+    [[nodiscard]] Status readSockets() {
+        if (parts_[svo::SOCK].present != parts_[svo::SPOS].present) {
+            return failAtByte(svo::kHeaderBytes, "of SOCK and SPOS there is only one");
+        }
+        Fields fields = fieldsOf(svo::SOCK);
+        Fields positions = fieldsOf(svo::SPOS);
+        std::uint64_t positionsEnd = 0;
+        for (std::uint64_t i = recordsOf(svo::SOCK); i > 0; --i) {
+            const std::uint64_t record = fields.offset();
+            SvoSocket socket;
+            if (Status s = readText(fields, socket.name); !s) return s;
+            const std::uint32_t first = fields.u32();
+            const std::uint32_t count = fields.u32();
+            if (first != positionsEnd || count > recordsOf(svo::SPOS) - positionsEnd) {
+                return failAtByte(record + 8, "the socket's positions are not the next of SPOS");
+            }
+            positionsEnd += count;
+            for (std::uint32_t k = 0; k < count; ++k) {
+                glm::dvec3& position = socket.positions.emplace_back();
+                for (int axis = 0; axis < 3; ++axis) position[axis] = positions.f64();
+            }
+            if (Status s = svo::checkSocket(socket, file_); !s) return atByte(record, s);
+            file_.sockets.push_back(std::move(socket));
+        }
+        if (positionsEnd != recordsOf(svo::SPOS)) {
+            return failAtByte(at(svo::SPOS) + 24 * positionsEnd,
+                              "positions that belong to no socket");
+        }
+        if (Status s = fields.status(); !s) return s;
+        return positions.status();
     }
 
     ByteView bytes_;

@@ -1,5 +1,6 @@
 #include <bit>
 #include <limits>
+#include <span>
 
 #include "core/base/hash.h"
 #include "core/io/svo_file_format.h"
@@ -21,6 +22,7 @@ class SvoWriter {
         writePalette();
         writeClips();
         writeAuthored();
+        writeSockets();
         // What texts and arrays are counted in has 32 bits.
         if (payloadCount_ > kMaxElements || nodeCount_ > kMaxElements ||
             out(svo::STRS).size() > kMaxElements) {
@@ -38,6 +40,9 @@ class SvoWriter {
         }
         for (const SvoClip& clip : file_.clips) {
             if (Status s = svo::checkClip(clip, file_.models); !s) return s;
+        }
+        for (const SvoSocket& socket : file_.sockets) {
+            if (Status s = svo::checkSocket(socket, file_); !s) return s;
         }
         for (const std::string& name : file_.colourNames) {
             if (Status s = svo::checkText(name); !s) return s;
@@ -111,26 +116,46 @@ class SvoWriter {
         to.alignTo(64);
     }
 
+    void writeSockets() {
+        ByteWriter& to = out(svo::SOCK);
+        ByteWriter& positions = out(svo::SPOS);
+        for (const SvoSocket& socket : file_.sockets) {
+            writeText(to, socket.name);
+            to.u32(static_cast<std::uint32_t>(positions.size() / 24));
+            to.u32(static_cast<std::uint32_t>(socket.positions.size()));
+            for (const glm::dvec3& position : socket.positions) {
+                for (int axis = 0; axis < 3; ++axis) positions.f64(position[axis]);
+            }
+        }
+    }
+
+    // How many sections there are; the optional ones stand at the end.
+    [[nodiscard]] std::size_t sectionCount() const {
+        return file_.sockets.empty() ? svo::kRequired : svo::kSections;
+    }
+
     [[nodiscard]] Bytes assemble() const {
         const auto aligned = [](std::uint64_t offset) {
             return (offset + svo::kAlignment - 1) / svo::kAlignment * svo::kAlignment;
         };
-        const std::uint64_t tableEnd = svo::kHeaderBytes + svo::kSectionEntryBytes * svo::kSections;
+        const std::span sections(sections_.data(), sectionCount());
+        const std::uint64_t tableEnd =
+            svo::kHeaderBytes + svo::kSectionEntryBytes * sections.size();
         std::uint64_t end = tableEnd;
-        for (const ByteWriter& section : sections_) end = aligned(end) + section.size();
+        for (const ByteWriter& section : sections) end = aligned(end) + section.size();
 
         ByteWriter to;
         to.raw(svo::kMagic);
         to.u16(svo::kMajorVersion);
-        to.u16(svo::kMinorVersion);
-        to.u32(svo::kSections);
+        to.u16(file_.sockets.empty() ? 0 : svo::kMinorOfSockets);
+        to.u32(static_cast<std::uint32_t>(sections.size()));
         to.u64(end);
         to.alignTo(svo::kHeaderBytes);
         end = tableEnd;
-        for (std::size_t i = 0; i < svo::kSections; ++i) {
-            const ByteWriter& section = sections_[i];
+        for (std::size_t i = 0; i < sections.size(); ++i) {
+            const ByteWriter& section = sections[i];
             to.raw(svo::kLayouts[i].tag);
-            to.u32(svo::kMustKnow);
+            to.u32(i < svo::kRequired ? svo::kMustKnow : 0);
             to.u64(aligned(end));
             to.u64(section.size());
             to.u32(crc32(section.bytes()));
@@ -138,7 +163,7 @@ class SvoWriter {
             end = aligned(end) + section.size();
         }
         to.patchU32(svo::kHeaderCrcAt, svo::headerCrc(to.bytes()));
-        for (const ByteWriter& section : sections_) {
+        for (const ByteWriter& section : sections) {
             to.alignTo(svo::kAlignment);
             to.raw(section.bytes());
         }

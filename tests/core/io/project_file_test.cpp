@@ -63,6 +63,9 @@ Document fullDocument() {
     document.cameras = {{3, {{"_mode", "pers"}}}, {-1, {}}};
     document.renderSettings = {{0, {{"_type", "_inf"}}}};
     document.clips = {{"walk", 0, 4, 12.5, true}, {"idle", 2, 2, 1.0 / 3.0, false}};
+    document.clips[0].durationsMilliseconds = {1, 1'000'000, 30, 40, 50};
+    document.sockets = {{"hand", {{0, {0.1 + 0.2, -1e7, 1.0 / 3.0}}, {9, {4, 5, 6}}}},
+                        {"", {{3, glm::dvec3(0.0)}}}};
     document.entity = {"hero",    glm::dvec3(1.5, -0.1, 1e-9), 90.0, -12.3, 360.0,
                        0.1 + 0.2, {1e6, -2.0, 1.0 / 3.0}};
     document.authored = {0.07, 2.5};
@@ -225,8 +228,11 @@ TEST(ProjectFile, ChangedJsonIsRefusedOrValid) {
             ++accepted;
             EXPECT_TRUE(validate(*read));
         } else {
-            EXPECT_NE(read.error().describe().find("project.json"), std::string::npos)
-                << read.error().describe();
+            // The text itself is wrong, or it names an entry that is not there.
+            const std::string why = read.error().describe();
+            EXPECT_TRUE(why.find("project.json") != std::string::npos ||
+                        why.find("no such entry") != std::string::npos)
+                << why;
         }
     }
     EXPECT_GT(accepted, 0);

@@ -172,6 +172,28 @@ TEST(Document, ClipsMustLieWithinTheFrames) {
     EXPECT_NE(messageFor([](Document& d) { d.clips[0].framesPerSecond = kNan; }), "valid");
 }
 
+TEST(Document, AClipHasOneDurationAFrame) {
+    const auto withDurations = [](std::vector<int> durations) {
+        return messageFor([&](Document& d) { d.clips[0].durationsMilliseconds = durations; });
+    };
+    EXPECT_EQ(withDurations({1, 2, 3, 1'000'000}), "valid");
+    EXPECT_EQ(withDurations({1, 2, 3}), "clip 0 (\"walk\"): it has not one duration a frame");
+    EXPECT_EQ(withDurations({1, 2, 3, 0}),
+              "clip 0 (\"walk\"): a frame of 0 ms; it must be 1 ... 1000000");
+    EXPECT_NE(withDurations({1, 2, 3, 1'000'001}), "valid");
+}
+
+TEST(Document, SocketsHaveAPositionInEveryFrame) {
+    EXPECT_EQ(messageFor([](Document& d) { d.sockets[0].positions.clear(); }),
+              "socket 0 (\"hand\"): it has no position");
+    EXPECT_EQ(messageFor([](Document& d) { d.sockets[1].positions[0].frame = 2; }),
+              "socket 1 (\"muzzle\"): positions: frame 2 follows frame 2; frames must ascend");
+    EXPECT_EQ(messageFor([](Document& d) { d.sockets[0].positions[0].positionVoxels.z = 2e7; }),
+              "socket 0 (\"hand\"): position.z is 2e+07; it must be between -1e+07 and 1e+07");
+    EXPECT_NE(messageFor([](Document& d) { d.sockets[0].positions[0].positionVoxels.x = kNan; }),
+              "valid");
+}
+
 TEST(Document, EntityAndAuthoredValuesHaveRanges) {
     EXPECT_EQ(messageForEntity([](Entity& e) { e.scale = 0; }),
               "entity.scale is 0; it must be between 0.001 and 1000");
