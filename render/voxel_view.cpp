@@ -35,8 +35,9 @@ struct VoxelViewBlock {
     std::int32_t grid_shown = 1;
     std::int32_t occlusion_shown = 1;
     std::array<float, 2> padding{};
+    glm::vec4 ghost_tint{0.0f};
 };
-static_assert(sizeof(VoxelViewBlock) == 416);
+static_assert(sizeof(VoxelViewBlock) == 432);
 
 // Voxel coordinates from the middle of the octree's root cube, which shaders compute in.
 struct RootSpace {
@@ -81,6 +82,10 @@ struct VoxelView::Impl {
                   const VoxelViewOptions& options) const;
     void setPalette(const Palette& colours, const RootSpace& space,
                     const VoxelViewOptions& options);
+    void setView(const GpuOctree& octree, const PlacedEntity& placed, const Camera& camera,
+                 const VoxelViewOptions& options, glm::vec4 ghostTint);
+    void drawVoxels(const GpuOctree& octree, const Palette& colours, const RootSpace& space,
+                    const VoxelViewOptions& options, const gl::DrawState& state);
 };
 
 void VoxelView::Impl::fillBox(VoxelViewBlock& block, const GpuOctree& octree,
@@ -161,31 +166,53 @@ void VoxelView::Impl::setPalette(const Palette& colours, const RootSpace& space,
     palette.set(std::move(rows));
 }
 
+void VoxelView::Impl::setView(const GpuOctree& octree, const PlacedEntity& placed,
+                              const Camera& camera, const VoxelViewOptions& options,
+                              glm::vec4 ghostTint) {
+    const RootSpace space(octree, placed, camera);
+    VoxelViewBlock block;
+    fillBox(block, octree, placed, camera);
+    fillRays(block, space, camera);
+    fillLook(block, space, octree, options);
+    block.ghost_tint = ghostTint;
+    viewBlock.set(BlockBinding::voxelView, block);
+    glBindVertexArray(nothing.id());
+}
+
+void VoxelView::Impl::drawVoxels(const GpuOctree& octree, const Palette& colours,
+                                 const RootSpace& space, const VoxelViewOptions& options,
+                                 const gl::DrawState& state) {
+    if (octree.texture() == 0) return;
+    octreeBlock.set(BlockBinding::octree, octree.block());
+    setPalette(colours, space, options);
+    bindTexture(TextureUnit::svo, octree.texture());
+    bindTexture(TextureUnit::palette, palette.texture());
+    gl::apply(state);
+    gl::useProgram(voxels);
+    glDrawArrays(GL_TRIANGLES, 0, 36);
+}
+
 void VoxelView::draw(Frame& frame, const GpuOctree& octree, const Palette& palette,
                      const PlacedEntity& placed, const Camera& camera,
                      const VoxelViewOptions& options) {
     frame.begin(options.backgroundBottom);
-    const RootSpace space(octree, placed, camera);
-    VoxelViewBlock block;
-    impl_->fillBox(block, octree, placed, camera);
-    impl_->fillRays(block, space, camera);
-    impl_->fillLook(block, space, octree, options);
-    impl_->viewBlock.set(BlockBinding::voxelView, block);
-    glBindVertexArray(impl_->nothing.id());
-
+    impl_->setView(octree, placed, camera, options, glm::vec4(0.0f));
     gl::apply({});
     gl::useProgram(impl_->backdrop);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    if (octree.texture() == 0) return;
-
-    impl_->octreeBlock.set(BlockBinding::octree, octree.block());
-    impl_->setPalette(palette, space, options);
-    bindTexture(TextureUnit::svo, octree.texture());
-    bindTexture(TextureUnit::palette, impl_->palette.texture());
-    gl::apply(
+    impl_->drawVoxels(
+        octree, palette, RootSpace(octree, placed, camera), options,
         {.depthTest = gl::DepthTest::nearer, .depthWrite = true, .cull = gl::Cull::frontFaces});
-    gl::useProgram(impl_->voxels);
-    glDrawArrays(GL_TRIANGLES, 0, 36);
+}
+
+void VoxelView::drawGhost(Frame& frame, const GpuOctree& octree, const Palette& palette,
+                          const PlacedEntity& placed, const Camera& camera,
+                          const VoxelViewOptions& options, Rgba8 tint) {
+    frame.bind();
+    impl_->setView(octree, placed, camera, options, toVec4(tint));
+    impl_->drawVoxels(
+        octree, palette, RootSpace(octree, placed, camera), options,
+        {.depthTest = gl::DepthTest::nearer, .blend = true, .cull = gl::Cull::frontFaces});
 }
 
 Result<VoxelView> VoxelView::create() {

@@ -38,6 +38,11 @@ class VoxelView {
     // Clears and draws into `frame`. camera.viewportPx must be the frame's size.
     void draw(Frame& frame, const GpuOctree& octree, const Palette& palette,
               const PlacedEntity& placed, const Camera& camera, const VoxelViewOptions& options);
+    // Another model over what was drawn, such as the frame before (onion skin): where it is nearer
+    // it shows, translucent (`tint`'s alpha) and in a colour between its own and the tint's.
+    void drawGhost(Frame& frame, const GpuOctree& octree, const Palette& palette,
+                   const PlacedEntity& placed, const Camera& camera,
+                   const VoxelViewOptions& options, Rgba8 tint);
 
   private:
     struct Impl;

@@ -144,7 +144,10 @@ void main() {
                            (1.0 - smoothstep(0.5, 1.0, large));
     }
     if (edges_shown != 0) light *= 1.0 - 0.16 * edgeShade(position, footprint);
-    colour = vec4(base * light, 1.0);
+    colour = ghost_tint.a > 0.0 ? vec4(mix(base * light, ghost_tint.rgb, 0.7), ghost_tint.a)
+                                : vec4(base * light, 1.0);
     gl_FragDepth = (view_depth_from_t.x * hit.t + view_depth_from_t.y) /
                    (view_depth_from_t.z * hit.t + view_depth_from_t.w);
+    // A ghost gives way where it has the model's own surface, however the two are rounded.
+    if (ghost_tint.a > 0.0) gl_FragDepth *= 1.0 - 1e-5;
 }

@@ -20,6 +20,7 @@ layout(std140, binding = 6) uniform VoxelViewBlock {
     float grid_radius;          // voxels at which the grid has faded
     int grid_shown;
     int occlusion_shown;
+    vec4 ghost_tint;            // alpha: that of a ghost's pixels; 0 for the model itself
 };
 
 vec3 voxelRayOrigin(vec2 screen) {
