@@ -29,8 +29,8 @@ using Eligible = std::function<CubeBits(glm::ivec3 origin)>;
 // touches a neighbouring cube is handed on to it.
 class Flood {
   public:
-    Flood(Eligible eligible, Neighbours neighbours)
-        : eligible_(std::move(eligible)), neighbours_(neighbours) {}
+    Flood(Eligible eligible, Neighbours neighbours, std::size_t maxBlocks)
+        : eligible_(std::move(eligible)), neighbours_(neighbours), maxBlocks_(maxBlocks) {}
 
     [[nodiscard]] Result<VoxelSet> from(glm::ivec3 seed) {
         enter(cubeOf(seed), bitOf(seed));
@@ -39,9 +39,9 @@ class Flood {
             open_.pop_back();
             spreadWithin(cubes_.at(origin));
             handOn(origin, cubes_.at(origin).reached);
-            if (cubes_.size() > kMaxRegionBlocks) {
+            if (cubes_.size() > maxBlocks_) {
                 return fail("The region is too large: it spreads over more than " +
-                            std::to_string(kMaxRegionBlocks) + " blocks of 8 voxels cubed");
+                            std::to_string(maxBlocks_) + " blocks of 8 voxels cubed");
             }
         }
         VoxelSet region;
@@ -91,6 +91,7 @@ class Flood {
 
     Eligible eligible_;
     Neighbours neighbours_;
+    std::size_t maxBlocks_;
     std::unordered_map<glm::ivec3, Cube, CubeHash> cubes_;
     std::vector<glm::ivec3> open_;
 };
@@ -109,15 +110,16 @@ int axisOf(glm::ivec3 normal) {
 
 }  // namespace
 
-Result<VoxelSet> connectedRegion(const VoxelGrid& voxels, glm::ivec3 seed, const RegionRule& rule) {
+Result<VoxelSet> connectedRegion(const VoxelGrid& voxels, glm::ivec3 seed, const RegionRule& rule,
+                                 std::size_t maxBlocks) {
     if (!isInVoxelRange(seed)) return VoxelSet();
     const std::uint8_t colour = voxels.get(seed);
     if (colour == 0) return VoxelSet();
-    return Flood(likeSeed(voxels, colour, rule), rule.neighbours).from(seed);
+    return Flood(likeSeed(voxels, colour, rule), rule.neighbours, maxBlocks).from(seed);
 }
 
 Result<VoxelSet> faceRegion(const VoxelGrid& voxels, glm::ivec3 seed, glm::ivec3 normal,
-                            const RegionRule& rule) {
+                            const RegionRule& rule, std::size_t maxBlocks) {
     VOXPRITE_CHECK(std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z) == 1);
     if (!isInVoxelRange(seed)) return VoxelSet();
     const std::uint8_t colour = voxels.get(seed);
@@ -134,11 +136,11 @@ Result<VoxelSet> faceRegion(const VoxelGrid& voxels, glm::ivec3 seed, glm::ivec3
         const CubeBits covered = layerMoved(solidBits(voxels, above), axis, layerAbove, layer);
         return layerMoved(like(origin), axis, layer, layer) & ~covered;
     };
-    return Flood(exposed, rule.neighbours).from(seed);
+    return Flood(exposed, rule.neighbours, maxBlocks).from(seed);
 }
 
-Result<VoxelSet> planeRegion(const VoxelGrid& voxels, glm::ivec3 seed, int axis,
-                             const IBox& limits) {
+Result<VoxelSet> planeRegion(const VoxelGrid& voxels, glm::ivec3 seed, int axis, const IBox& limits,
+                             std::size_t maxBlocks) {
     IBox layer = limits.intersected({glm::ivec3(-kMaxCoordinate), glm::ivec3(kMaxCoordinate + 1)});
     if (!layer.contains(seed)) return VoxelSet();
     layer.min[axis] = seed[axis];
@@ -146,7 +148,7 @@ Result<VoxelSet> planeRegion(const VoxelGrid& voxels, glm::ivec3 seed, int axis,
     const auto emptyInLayer = [&](glm::ivec3 origin) {
         return boxBits(layer, origin) & ~solidBits(voxels, origin);
     };
-    return Flood(emptyInLayer, Neighbours::six).from(seed);
+    return Flood(emptyInLayer, Neighbours::six, maxBlocks).from(seed);
 }
 
 std::vector<glm::ivec3> voxelsAlongRay(glm::dvec3 origin, glm::dvec3 direction, const IBox& box) {

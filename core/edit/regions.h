@@ -24,24 +24,27 @@ struct RegionRule {
     bool operator==(const RegionRule&) const = default;
 };
 
-// A region that spreads over more cubes of 8 than this is refused with an error: the whole of a
-// solid model of 1024 cubed would be twice as many.
+// A region that spreads over more cubes of 8 than the last argument is refused with an error; the
+// whole of a solid model of 1024 cubed would be twice as many as this.
 inline constexpr std::size_t kMaxRegionBlocks = std::size_t{1} << 20;
 
 // The solid voxels connected to `seed`; empty when `seed` is.
 [[nodiscard]] Result<VoxelSet> connectedRegion(const VoxelGrid& voxels, glm::ivec3 seed,
-                                               const RegionRule& rule);
+                                               const RegionRule& rule,
+                                               std::size_t maxBlocks = kMaxRegionBlocks);
 
 // The solid voxels around `seed` that lie in its layer across the axis of `normal` (a unit step of
 // one axis) and whose face that way is exposed, connected within that layer. Empty when the face of
 // `seed` is not exposed.
 [[nodiscard]] Result<VoxelSet> faceRegion(const VoxelGrid& voxels, glm::ivec3 seed,
-                                          glm::ivec3 normal, const RegionRule& rule);
+                                          glm::ivec3 normal, const RegionRule& rule,
+                                          std::size_t maxBlocks = kMaxRegionBlocks);
 
 // The empty voxels connected to `seed` within its layer across `axis` (by faces), bounded by solid
 // voxels and by `limits`. Empty when `seed` is solid or outside the limits.
 [[nodiscard]] Result<VoxelSet> planeRegion(const VoxelGrid& voxels, glm::ivec3 seed, int axis,
-                                           const IBox& limits);
+                                           const IBox& limits,
+                                           std::size_t maxBlocks = kMaxRegionBlocks);
 
 // Every voxel whose cell the ray from `origin` along `direction` goes through inside `box`, nearest
 // first, each sharing a face with the next (Amanatides & Woo 1987); empty for a direction that is

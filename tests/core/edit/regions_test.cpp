@@ -117,14 +117,16 @@ TEST(Regions, PlanesFillUpToWallsAndLimits) {
 
 TEST(Regions, TooLargeIsAnError) {
     VoxelGrid voxels;
-    voxels.fill({{0, 0, 0}, {1024, 1024, 1024}}, 1);
-    const auto region = connectedRegion(voxels, {5, 5, 5}, {});
+    voxels.fill({{0, 0, 0}, {80, 80, 80}}, 1);
+    // Cubes around the region are counted too: it has looked at them.
+    EXPECT_TRUE(connectedRegion(voxels, {5, 5, 5}, {}, 12 * 12 * 12));
+    const auto region = connectedRegion(voxels, {5, 5, 5}, {}, 999);
     ASSERT_FALSE(region);
-    EXPECT_EQ(
-        region.error().message,
-        "The region is too large: it spreads over more than 1048576 blocks of 8 voxels cubed");
+    EXPECT_EQ(region.error().message,
+              "The region is too large: it spreads over more than 999 blocks of 8 voxels cubed");
+    EXPECT_FALSE(faceRegion(voxels, {5, 5, 79}, {0, 0, 1}, {}, 99));
     const IBox everywhere{glm::ivec3(-kMaxCoordinate), glm::ivec3(kMaxCoordinate + 1)};
-    EXPECT_FALSE(planeRegion(voxels, {-1, 0, 0}, 0, everywhere));
+    EXPECT_FALSE(planeRegion(voxels, {-1, 0, 0}, 0, everywhere, 999));
     EXPECT_TRUE(connectedRegion(voxels, {kMaxCoordinate + 9, 0, 0}, {}).value().empty());
     EXPECT_TRUE(connectedRegion(voxels, {-1, 0, 0}, {}).value().empty());
 }
