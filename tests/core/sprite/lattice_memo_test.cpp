@@ -65,6 +65,54 @@ TEST(LitPalettes, EqualPalettesHaveEqualNumbers) {
     EXPECT_NE(palettes.of(one, {255, 200, 100}, {}).number, a.number);
 }
 
+TEST(LitPalettes, TheSameColoursAreOneContent) {
+    LitPalettes palettes;
+    palettes.beginFrame();
+    const Palette one = Palette::standard();
+    Palette two = one;
+    two.names[9] = "moss";
+    Palette three = one;
+    three.ramps = {{"", {1, 2}}};
+    EXPECT_EQ(palettes.contentOf(one), palettes.contentOf(two));
+    EXPECT_NE(palettes.contentOf(one), palettes.contentOf(three));
+    const auto multiply = palettes.of(one, {9, 8, 7}, {});
+    const auto within = palettes.of(one, {9, 8, 7}, {}, Shading::palette);
+    EXPECT_NE(multiply.number, within.number);
+    EXPECT_EQ(*within.lit, litPalette(one, {9, 8, 7}, {}, Shading::palette));
+    EXPECT_NE(palettes.of(three, {9, 8, 7}, {}, Shading::palette).number, within.number);
+    palettes.beginFrame();
+    two.colours[4].z ^= 1;
+    EXPECT_NE(palettes.contentOf(two), palettes.contentOf(one));
+}
+
+// A crowd in many lights keeps all of them from frame to frame; what nobody uses any more goes.
+TEST(LitPalettes, KeepsWhatIsUsedAndForgetsTheRest) {
+    LitPalettes palettes;
+    const Palette palette = Palette::standard();
+    const auto light = [](int i) {
+        return std::array<std::uint8_t, 3>{static_cast<std::uint8_t>(i & 255),
+                                           static_cast<std::uint8_t>(i >> 8), 7};
+    };
+    std::vector<std::uint64_t> numbers;
+    for (int frame = 0; frame < 3; ++frame) {
+        palettes.beginFrame();
+        for (int i = 0; i < 3000; ++i) {
+            const std::uint64_t number = palettes.of(palette, light(i), {}).number;
+            if (frame == 0) numbers.push_back(number);
+            ASSERT_EQ(number, numbers[static_cast<std::size_t>(i)]);
+        }
+    }
+    // A moving light: always others.
+    for (int frame = 0; frame < 400; ++frame) {
+        palettes.beginFrame();
+        for (int i = 0; i < 50; ++i) {
+            static_cast<void>(palettes.of(palette, light(4000 + 50 * frame + i), {}));
+        }
+        EXPECT_LE(palettes.kept(), 6000 + LitPalettes::kSpare + 50);
+    }
+    EXPECT_LE(palettes.kept(), 100 + LitPalettes::kSpare + 50);
+}
+
 // However many there are, a number stands for one palette.
 TEST(LitPalettes, NumbersAreNeverGivenTwice) {
     LitPalettes palettes;

@@ -1,0 +1,164 @@
+#include "app/editor/panels/palette_panel.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/editor/icons.h"
+#include "app/editor/widgets.h"
+#include "core/base/oklab.h"
+
+namespace voxprite::editor {
+namespace {
+
+constexpr const char* kPicker = "palette.picker";
+
+std::array<float, 3> floatsOf(Rgba8 colour) {
+    return {static_cast<float>(colour.x) / 255.0f, static_cast<float>(colour.y) / 255.0f,
+            static_cast<float>(colour.z) / 255.0f};
+}
+
+Rgba8 colourOf(const std::array<float, 3>& rgb) {
+    const auto byte = [](float c) { return static_cast<std::uint8_t>(std::lround(c * 255.0f)); };
+    return {byte(rgb[0]), byte(rgb[1]), byte(rgb[2]), 255};
+}
+
+}  // namespace
+
+void PalettePanel::draw(Ui& ui) {
+    const Theme& theme = ui.theme;
+    pictures_.update(ui.session);
+    drawColour(ui);
+    drawToolbar(ui);
+    drawRamp(ui);
+    const bool variants = !editor_.palette().variants.empty();
+    const float strip = theme.px(variants ? VariantPictures::kEdgePx + 34 : 30);
+    drawSwatches(ui, std::max(theme.px(64), ImGui::GetContentRegionAvail().y - strip));
+    drawVariants(ui);
+}
+
+// The colour in hand: its swatch (a click opens the picker), its number, its name.
+void PalettePanel::drawColour(Ui& ui) {
+    const Theme& theme = ui.theme;
+    const std::uint8_t index = editor_.inHand();
+    const Rgba8 shown = ui.session.shownPalette().colours[index];
+    const float height = theme.px(26), gap = theme.px(6);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton("in hand", {theme.px(40), height})) ImGui::OpenPopup(kPicker);
+    ui.probe.markItem("palette.edit");
+    tooltip(ui, "Edit the colour in hand");
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImVec2 max = ImGui::GetItemRectMax();
+    draw.AddRectFilled(corner, max, IM_COL32(shown.x, shown.y, shown.z, 255), theme.px(5));
+    draw.AddRect(corner, max, ImGui::IsItemHovered() ? theme.accent : theme.line, theme.px(5), 0,
+                 std::max(1.0f, theme.px(1)));
+    drawPicker(ui);
+
+    ImGui::SameLine(0.0f, gap);
+    std::array<float, 3> rgb = floatsOf(shown);
+    ImGui::SetNextItemWidth(theme.px(84));
+    if (ImGui::ColorEdit3("##hex", rgb.data(),
+                          ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_NoSmallPreview |
+                              ImGuiColorEditFlags_NoOptions | ImGuiColorEditFlags_NoPicker)) {
+        ui.edits.push(editor_.setColour(colourOf(rgb), ui.edits.key()));
+    }
+    ui.edits.watchItem(ui.session);
+    ui.probe.markItem("palette.hex");
+
+    ImGui::SameLine(0.0f, gap);
+    std::string name = editor_.palette().names[index];
+    const std::string hint = "Colour " + std::to_string(index);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    if (ImGui::InputTextWithHint("##name", hint.c_str(), &name)) {
+        ui.edits.push("Name colour",
+                      PaletteEdit{editor_.palette(), withName(editor_.palette(), index, name)});
+    }
+    ui.edits.watchItem(ui.session);
+    ui.probe.markItem("palette.name");
+}
+
+void PalettePanel::drawPicker(Ui& ui) {
+    const Theme& theme = ui.theme;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, theme.px(12, 12));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, theme.px(8));
+    if (ImGui::BeginPopup(kPicker)) {
+        const Rgba8 shown = ui.session.shownPalette().colours[editor_.inHand()];
+        std::array<float, 3> rgb = floatsOf(shown);
+        ImGui::SetNextItemWidth(theme.px(216));
+        const bool changed = ImGui::ColorPicker3(
+            "##picker", rgb.data(),
+            ImGuiColorEditFlags_PickerHueBar | ImGuiColorEditFlags_NoSidePreview |
+                ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_DisplayRGB |
+                ImGuiColorEditFlags_DisplayHSV | ImGuiColorEditFlags_DisplayHex);
+        ui.edits.watchItem(ui.session);
+        ui.probe.markItem("palette.picker");
+        if (changed && colourOf(rgb) != shown) {
+            ui.edits.push(editor_.setColour(colourOf(rgb), ui.edits.key()));
+        }
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar(2);
+}
+
+void PalettePanel::drawToolbar(Ui& ui) {
+    using enum CommandId;
+    const Theme& theme = ui.theme;
+    const float size = theme.px(24);
+    for (const CommandId id :
+         {toolPickColour, duplicateColour, swapColours, gradientColours, makeRamp, suggestRamps,
+          sortByHue, removeUnusedColours, importPalette, exportPalette}) {
+        const bool enabled = isEnabled(id, ui.context);
+        if (!enabled) ImGui::BeginDisabled();
+        const bool on = isOn(id, ui.context);
+        commandButton(ui, id, on ? Lit::filled : Lit::off, size);
+        if (!enabled) ImGui::EndDisabled();
+        ImGui::SameLine(0.0f, theme.px(5));
+    }
+    ImGui::NewLine();
+}
+
+// The ramp of the colour in hand, dark to light.
+void PalettePanel::drawRamp(Ui& ui) {
+    const Palette& palette = ui.session.shownPalette();
+    const auto ramp = palette.rampOf(editor_.inHand());
+    if (!ramp) return;
+    const Theme& theme = ui.theme;
+    const std::vector<std::uint8_t>& indices = palette.ramps[*ramp].indices;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float height = theme.px(18);
+    const float width =
+        std::min(theme.px(32), std::floor((ImGui::GetContentRegionAvail().x - theme.px(26)) /
+                                          static_cast<float>(indices.size())));
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        const Rgba8 colour = palette.colours[indices[i]];
+        const ImVec2 min(corner.x + width * static_cast<float>(i), corner.y);
+        const ImVec2 max(min.x + width, min.y + height);
+        const ImDrawFlags round = i == 0                    ? ImDrawFlags_RoundCornersLeft
+                                  : i + 1 == indices.size() ? ImDrawFlags_RoundCornersRight
+                                                            : ImDrawFlags_RoundCornersNone;
+        draw.AddRectFilled(min, max, IM_COL32(colour.x, colour.y, colour.z, 255), theme.px(4),
+                           round);
+        ImGui::SetCursorScreenPos(min);
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::InvisibleButton("step", {width, height})) editor_.choose(indices[i]);
+        ImGui::PopID();
+        tooltip(ui, "The ramp of this colour: what light picks from with shading in the palette");
+        if (indices[i] != editor_.inHand()) continue;
+        // A dark mark on light, a light one on dark.
+        const bool light = okLabFrom(colour).lightness > 0.6;
+        draw.AddCircleFilled(
+            {std::round((min.x + max.x) * 0.5f), std::round((min.y + max.y) * 0.5f)}, theme.px(3),
+            light ? IM_COL32(0, 0, 0, 200) : IM_COL32_WHITE);
+    }
+    ImGui::SetCursorScreenPos({corner.x + width * static_cast<float>(indices.size()) + theme.px(4),
+                               corner.y - theme.px(1)});
+    if (iconButton(ui, "palette.ramp.remove", icon::kClose, Lit::off, theme.px(20),
+                   "Remove this ramp")) {
+        ui.commands.ask(CommandId::removeRamp);
+    }
+}
+
+}  // namespace voxprite::editor

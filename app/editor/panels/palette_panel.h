@@ -1,0 +1,44 @@
+// The palette: the colour in hand, the swatches, the ramp and the variants.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "app/editor/palette_editor.h"
+#include "app/editor/ui.h"
+#include "app/editor/variant_pictures.h"
+
+namespace voxprite::editor {
+
+class PalettePanel {
+  public:
+    // `editor` outlives this.
+    explicit PalettePanel(PaletteEditor& editor) : editor_(editor) {}
+    // Into the current ImGui window.
+    void draw(Ui& ui);
+
+  private:
+    // palette_panel.cpp
+    void drawColour(Ui& ui);
+    void drawPicker(Ui& ui);
+    void drawToolbar(Ui& ui);
+    void drawRamp(Ui& ui);
+    // palette_swatches.cpp
+    void drawSwatches(Ui& ui, float height);
+    void useSwatch(Ui& ui, std::size_t slot);
+    void dropSwatch(Ui& ui, std::size_t slot);
+    void drawMenu(Ui& ui);
+    // palette_variants.cpp
+    void drawVariants(Ui& ui);
+    void drawVariant(Ui& ui, std::size_t cell, ImVec2 size);
+    void drawVariantMenu(Ui& ui, std::size_t variant);
+
+    PaletteEditor& editor_;
+    VariantPictures pictures_;
+    std::uint8_t menuFor_ = 0;  // the colour whose menu is open
+    std::size_t dragged_ = 0;   // the slot that is dragged; 0: none
+    std::string name_;          // of the variant that is being renamed
+};
+
+}  // namespace voxprite::editor
