@@ -21,7 +21,6 @@ Json toJson(const SceneSettings& settings) {
             {"edited_used", copies.editedUsed},
             {"extras", extras},
             {"pace", settings.pace},
-            {"single_pass", settings.singlePass},
             {"every_frame", settings.everyFrame},
             {"picture_scale", settings.pictureScale},
             {"compared", settings.comparison.cells},
@@ -41,7 +40,6 @@ SceneSettings sceneSettingsFrom(const Json& json) {
         settings.extras.push_back({extra.value("file", std::string()), extra.value("used", true)});
     }
     settings.pace = std::clamp(json.value("pace", settings.pace), 0.0, 10.0);
-    settings.singlePass = json.value("single_pass", settings.singlePass);
     settings.everyFrame = json.value("every_frame", settings.everyFrame);
     settings.pictureScale =
         std::clamp(json.value("picture_scale", settings.pictureScale), 1, kMostPictureScale);

@@ -45,7 +45,6 @@ struct SceneSettings {
     CopySettings copies;
     std::vector<ExtraModelChoice> extras;
     double pace = 0.8;        // of the march: heights of the edited model a second, 0 ... 10
-    bool singlePass = false;  // one ray a screen pixel instead of sprite buffers: the same pixels
     bool everyFrame = false;  // draw without need, to read what a frame costs
     // Of saved and copied sprites: picture pixels a virtual pixel, 1 ... kMostPictureScale.
     int pictureScale = 1;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/editor/socket_markers.h"
 #include "app/editor/sprite_picture.h"
 #include "app/editor/sprite_toolbar.h"
 
@@ -138,6 +139,7 @@ void SpriteViewport::showAlone(Ui& ui, ViewInput& input) {
             gizmoTarget(ui.session, ui.settings.tool.gizmo, stats().sigmaInForce);
         gizmo_.draw(target, camera, ViewDrawing(canvas_, camera), ui.theme);
     }
+    drawSocketsOverSprite(ui, ViewDrawing(canvas_, camera), camera, history(ui.settings.scene));
     std::array<char, 64> detail{};
     if (stats().drawn > 0) {
         std::snprintf(detail.data(), detail.size(), "σ %.4g   %.1f px a vpx", stats().sigmaInForce,
@@ -208,9 +210,7 @@ Status SpriteViewport::renderCell(SpriteCell& cell, Frame& frame, const Session&
                                   const GameProfile& profile) {
     const Scene scene = scene_.make(session, octree, settings.view, profile, cell.histories);
     const Camera camera = camera_.camera(frame.sizePx());
-    const SpriteMode mode =
-        settings.scene.singlePass ? SpriteMode::singlePass : SpriteMode::spriteBuffer;
-    const Result<SceneStats> stats = renderer_.draw(frame, scene, camera, profile, mode);
+    const Result<SceneStats> stats = renderer_.draw(frame, scene, camera, profile, profile.mode);
     if (!stats) return Failure(stats.error());
     cell.stats = *stats;
     if (settings.view.proxyBox && !session.shownBounds().empty()) {
@@ -228,9 +228,8 @@ Result<bool> SpriteViewport::render(const Session& session, const GpuOctree& oct
                                     const EditorSettings& settings) {
     std::ranges::move(scene_.follow(session, settings.scene), std::back_inserter(problems_));
     const SigmaComparison& comparison = settings.scene.comparison;
-    const Shown wanted{
-        octree.revision(), session.revision(), scene_.revision(),         camera_,
-        canvas_.sizePx(),  settings.view,      settings.scene.singlePass, comparison};
+    const Shown wanted{octree.revision(), session.revision(), scene_.revision(), camera_,
+                       canvas_.sizePx(),  settings.view,      comparison};
     if (shown_ == wanted && !settings.scene.everyFrame) return false;
     prepareCells();
     Status done;

@@ -32,6 +32,7 @@ class SpriteViewport {
 
     [[nodiscard]] OrbitCamera& camera() { return camera_; }
     [[nodiscard]] CameraTurn& turn() { return turn_; }
+    [[nodiscard]] bool turns() const { return turn_.running(); }
     void frameModel(const Session& session);
     void frameScene(const Session& session);  // the model with all copies
     // As far away as lets a virtual pixel cover so many pixels of the screen.
@@ -71,7 +72,6 @@ class SpriteViewport {
         OrbitCamera camera;
         glm::ivec2 sizePx{0};
         ViewSettings view;
-        bool singlePass = false;
         SigmaComparison comparison;
         bool operator==(const Shown&) const = default;
     };

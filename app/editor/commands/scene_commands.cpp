@@ -3,6 +3,7 @@
 #include "app/editor/file_flow.h"
 #include "app/editor/icons.h"
 #include "app/editor/sprite_viewport.h"
+#include "core/edit/make_action.h"
 
 namespace voxprite::editor {
 namespace {
@@ -25,6 +26,10 @@ constexpr Command distanceCommand(Command command) {
     command.run = [](CommandContext& c) { c.spriteView.toGameDistance(c.session, screenPx); };
     command.enabled = [](const CommandContext& c) { return !c.session.bounds().empty(); };
     return command;
+}
+
+bool isSinglePass(const CommandContext& c) {
+    return c.session.profile().mode == SpriteMode::singlePass;
 }
 
 void addModel(CommandContext& c) {
@@ -86,9 +91,12 @@ std::span<const Command> sceneCommands() {
                 .name = "Draw sprites in a single pass",
                 .run =
                     [](CommandContext& c) {
-                        c.settings.scene.singlePass = !c.settings.scene.singlePass;
+                        GameProfile after = c.session.profile();
+                        after.mode =
+                            isSinglePass(c) ? SpriteMode::spriteBuffer : SpriteMode::singlePass;
+                        c.perform(makeAction("Mode", ProfileEdit{c.session.profile(), after}));
                     },
-                .on = [](const CommandContext& c) { return c.settings.scene.singlePass; }},
+                .on = isSinglePass},
     };
     return kCommands;
 }

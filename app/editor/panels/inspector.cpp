@@ -25,6 +25,10 @@ constexpr std::array kDepths{
     Choice{"Ground", "As centre, pulled forward so that the ground hides no pixel"},
     Choice{"Pixel", "Each pixel has the depth of its voxel"}};
 
+constexpr std::array kModes{
+    Choice{"Buffers", "Each sprite is cast once, a ray a virtual pixel, and kept while it shows"},
+    Choice{"Single pass", "Every screen pixel casts its own rays: the same picture, slower"}};
+
 // Whole and quarter values above 1, where the grid falls evenly; halvings below.
 double snapSigma(double sigma) {
     if (sigma < 1.0) return std::exp2(std::round(std::log2(sigma)));
@@ -131,6 +135,7 @@ void entitySection(Ui& ui, Entity& entity) {
 void rulesSection(Ui& ui, GameProfile& profile) {
     if (!section(ui, "Rules of the game")) return;
     static_cast<void>(enumRow(ui, "inspector.view", "View", profile.view, kViews));
+    static_cast<void>(enumRow(ui, "inspector.mode", "Mode", profile.mode, kModes));
     static_cast<void>(enumRow(ui, "inspector.registration", "Registered at", profile.registration,
                               kRegistrations));
     static_cast<void>(enumRow(ui, "inspector.depth", "Depth", profile.depth, kDepths));

@@ -246,9 +246,9 @@ void drawScene(Ui& ui) {
     drawCopies(ui);
     drawModels(ui);
     drawCamera(ui);
-    int mode = ui.settings.scene.singlePass ? 1 : 0;
-    if (choiceRow(ui, "scene.mode", "Mode", mode, kModes)) {
-        ui.settings.scene.singlePass = mode == 1;
+    GameProfile profile = ui.session.profile();
+    if (enumRow(ui, "scene.mode", "Mode", profile.mode, kModes)) {
+        ui.edits.push("Mode", ProfileEdit{ui.session.profile(), profile}, false);
     }
     drawCost(ui);
     ImGui::EndChild();
