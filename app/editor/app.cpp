@@ -6,32 +6,15 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "app/editor/panel_area.h"
 #include "app/editor/panels/panels.h"
+#include "app/editor/panels/split_bars.h"
+#include "app/editor/panels/timeline.h"
 #include "app/editor/panels/tool_options.h"
 #include "app/editor/widgets.h"
 #include "app/editor/window.h"
 
 namespace voxprite::editor {
-namespace {
-
-constexpr ImGuiWindowFlags kPanelFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                                         ImGuiWindowFlags_NoBringToFrontOnFocus |
-                                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings;
-
-// A panel that fills `area`. Always ends with ImGui::End().
-void beginPanel(Ui& ui, const char* name, const Area& area, ImVec2 padding,
-                ImGuiWindowFlags more = 0) {
-    ImGui::SetNextWindowPos(area.min);
-    ImGui::SetNextWindowSize(area.size);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-    ImGui::Begin(name, nullptr, kPanelFlags | more);
-    ImGui::PopStyleVar(2);
-    ui.probe.mark(name, area.min, area.max());
-}
-
-}  // namespace
 
 Status App::openAtStart(const std::filesystem::path& file) {
     Status opened = session_.open(file);
@@ -49,8 +32,10 @@ Result<std::unique_ptr<App>> App::create(EditorSettings settings,
     if (!voxels) return Failure(voxels.error());
     Result<SpriteViewport> sprite = SpriteViewport::create();
     if (!sprite) return Failure(sprite.error());
-    return std::unique_ptr<App>(new App(std::move(settings), std::move(layoutDump),
-                                        std::move(*voxels), std::move(*sprite)));
+    std::unique_ptr<App> app(new App(std::move(settings), std::move(layoutDump), std::move(*voxels),
+                                     std::move(*sprite)));
+    if (!app->settings_.window.tourSeen) app->overlays_.tour.open();
+    return app;
 }
 
 void App::frame(const Theme& theme, const std::vector<InputEvent>& events) {
@@ -63,7 +48,9 @@ void App::frame(const Theme& theme, const std::vector<InputEvent>& events) {
     // An edit answers the oldest input of its frame.
     editStart_.reset();
     if (!events.empty()) editStart_ = events.front().seconds;
-    advanceAnimation();
+    const auto passed = static_cast<double>(ImGui::GetIO().DeltaTime);
+    context_.report(playback_.advance(session_, settings_.view, passed));
+    objects_.follow(session_);
     figures_.strokeSize.clear();
     Ui ui{theme, session_, settings_, edits_, commands_, context_, probe_, figures_, path};
     commands_.askByKeys(settings_.input.keys);
@@ -83,7 +70,8 @@ void App::frame(const Theme& theme, const std::vector<InputEvent>& events) {
 void App::buildUi(Ui& ui) {
     const Theme& theme = ui.theme;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const Layout layout = layoutFor(theme, window, settings_.window.split);
+    const Layout layout = layoutFor(theme, window, settings_.window,
+                                    timelineHeight(theme, session_, settings_));
 
     std::string refusal;
     voxels_.show(ui, layout.edit.min, layout.edit.size, refusal);
@@ -91,7 +79,7 @@ void App::buildUi(Ui& ui) {
     figures_.hovered.reset();
     if (voxels_.hovered()) figures_.hovered = voxels_.hovered()->voxel;
     if (!refusal.empty()) toasts_.error(refusal);
-    drawDivider(ui, layout);
+    drawSplitBars(ui, layout);
 
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, theme.px(10, 8));
     beginPanel(ui, "panel.menu", layout.menu, {0, 0},
@@ -100,9 +88,11 @@ void App::buildUi(Ui& ui) {
     if (const auto recent = drawMenuBar(ui)) requestOpen(*recent);
     ImGui::End();
 
-    beginPanel(ui, "panel.tools", layout.tools, theme.px(6, 8), ImGuiWindowFlags_NoScrollbar);
-    drawToolColumn(ui);
-    ImGui::End();
+    if (layout.tools.shown()) {
+        beginPanel(ui, "panel.tools", layout.tools, theme.px(6, 8), ImGuiWindowFlags_NoScrollbar);
+        drawToolColumn(ui);
+        ImGui::End();
+    }
 
     beginPanel(ui, "panel.options", layout.options, theme.px(12, 6), ImGuiWindowFlags_NoScrollbar);
     const ToolAnswer answer = drawToolOptions(ui, voxels_.tools().tool());
@@ -110,78 +100,54 @@ void App::buildUi(Ui& ui) {
     if (answer == ToolAnswer::drop) voxels_.tools().cancel(session_);
     ImGui::End();
 
-    beginPanel(ui, "panel.inspector", layout.inspector, theme.px(14, 10));
-    drawInspector(ui);
-    ImGui::End();
+    if (layout.inspector.shown()) {
+        beginPanel(ui, "panel.inspector", layout.inspector, theme.px(14, 10));
+        drawInspector(ui);
+        ImGui::End();
+        beginPanel(ui, "panel.dock", layout.dock, theme.px(14, 6), ImGuiWindowFlags_NoScrollbar);
+        drawDock(ui);
+        ImGui::End();
+    }
 
-    beginPanel(ui, "panel.dock", layout.dock, theme.px(14, 6), ImGuiWindowFlags_NoScrollbar);
-    drawDock(ui);
-    ImGui::End();
+    if (layout.timeline.shown()) {
+        beginPanel(ui, "panel.timeline", layout.timeline, theme.px(10, 6),
+                   ImGuiWindowFlags_NoScrollbar);
+        drawTimeline(ui);
+        ImGui::End();
+    }
 
     beginPanel(ui, "panel.status", layout.status, theme.px(12, 6), ImGuiWindowFlags_NoScrollbar);
     drawStatusBar(ui);
     ImGui::End();
 
     files_.draw(ui);
+    drawOverlays(ui, layout);
     const float left = layout.edit.min.x, right = layout.sprite.max().x;
     toasts_.draw(theme, {(left + right) * 0.5f, layout.edit.max().y},
                  std::min(theme.px(560), right - left - theme.px(32)));
 }
 
-void App::drawDivider(Ui& ui, const Layout& layout) {
-    const Area& area = layout.divider;
-    beginPanel(ui, "panel.divider", area, {0, 0},
-               ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoBackground);
-    ImGui::InvisibleButton("drag", area.size);
-    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
-        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    }
-    if (ImGui::IsItemActive()) {
-        const float views = layout.sprite.max().x - layout.edit.min.x;
-        const float wanted = (ImGui::GetIO().MousePos.x - layout.edit.min.x) / views;
-        settings_.window.split = std::clamp(wanted, 0.15f, 0.85f);
-    }
-    const float x = area.min.x + std::floor(area.size.x * 0.5f);
-    const float y = area.min.y + std::floor(area.size.y * 0.5f), half = ui.theme.px(16);
-    const ImU32 colour =
-        ImGui::IsItemActive() || ImGui::IsItemHovered() ? ui.theme.accent : ui.theme.fieldActive;
-    ImGui::GetWindowDrawList()->AddLine({x, y - half}, {x, y + half}, colour, ui.theme.px(2));
-    ImGui::End();
-}
-
 void App::drawDock(Ui& ui) {
-    constexpr std::array<const char*, 4> kTabs{"Palette", "Objects", "History", "Scene"};
-    const Theme& theme = ui.theme;
-    DockTab& chosen = settings_.window.dockTab;
-    for (std::size_t i = 0; i < kTabs.size(); ++i) {
-        const bool on = static_cast<std::size_t>(chosen) == i;
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        const ImVec2 text = ImGui::CalcTextSize(kTabs[i]);
-        const ImVec2 size(text.x + theme.px(2), theme.px(28));
-        ImGui::PushID(kTabs[i]);
-        if (ImGui::InvisibleButton("tab", size)) chosen = static_cast<DockTab>(i);
-        ui.probe.markItem(std::string("dock.") + kTabs[i]);
-        ImGui::PopID();
-        const ImU32 colour = on ? theme.text : ImGui::IsItemHovered() ? theme.text : theme.textDim;
-        ImDrawList& draw = *ImGui::GetWindowDrawList();
-        draw.AddText(theme.fonts.bold, theme.fonts.bold->FontSize, {at.x, at.y + theme.px(5)},
-                     colour, kTabs[i]);
-        if (on) {
-            draw.AddRectFilled({at.x, at.y + size.y - theme.px(2)}, {at.x + size.x, at.y + size.y},
-                               theme.accent);
-        }
-        ImGui::SameLine(0.0f, theme.px(18));
-    }
-    ImGui::NewLine();
-    switch (chosen) {
+    if (!drawDockTabs(ui)) return;
+    switch (settings_.window.dockTab) {
         case DockTab::palette:
-            return drawPalette(ui);
+            return palettePanel_.draw(ui);
         case DockTab::objects:
             return drawObjects(ui);
         case DockTab::history:
             return drawHistory(ui);
         case DockTab::scene:
             return drawScene(ui);
+    }
+}
+
+void App::drawOverlays(Ui& ui, const Layout& layout) {
+    overlays_.palette.draw(ui);
+    overlays_.preferences.draw(ui);
+    overlays_.tour.draw(ui, layout);
+    if (const auto saved = overlays_.cameras.draw(ui, voxels_.camera())) {
+        voxels_.camera() = cameraFrom(*saved, sphereInEditView(session_));
+        sprite_.camera() = cameraFrom(*saved, sphereInSpriteView(session_));
     }
 }
 
@@ -247,18 +213,15 @@ void App::lockCameras() {
     before_ = {edit, sprite};
 }
 
-void App::advanceAnimation() {
-    if (!settings_.view.playing || session_.frames() < 2) return;
-    const auto& clips = session_.document().clips;
-    const double rate = clips.empty() ? 8.0 : std::max(0.1, clips.front().framesPerSecond);
-    animationSeconds_ += static_cast<double>(ImGui::GetIO().DeltaTime);
-    if (animationSeconds_ < 1.0 / rate) return;
-    animationSeconds_ = 0.0;
-    context_.report(session_.setFrame((session_.frame() + 1) % session_.frames()));
+std::string App::openDialog() const {
+    if (files_.isBrowsing()) return "browser";
+    const std::string dialog = dialogs_.openName();
+    return dialog.empty() ? overlays_.openName() : dialog;
 }
 
 bool App::animates() const {
-    if (sprite_.animates(settings_)) return true;
+    if (sprite_.animates(settings_) || files_.isWorking()) return true;
+    if (voxels_.turns() || sprite_.turns()) return true;
     return settings_.view.playing && session_.frames() > 1;
 }
 
@@ -270,10 +233,12 @@ void App::dumpLayout() {
     if (!probe_.wanted()) return;
     nlohmann::json state{{"voxels", session_.octree().solidCount()},
                          {"unsaved", session_.unsaved()},
+                         {"pointer", {pointer_.x, pointer_.y}},
+                         {"making", voxels_.tools().busy()},
                          {"steps", session_.history().position()},
                          {"sigma", session_.profile().sigma},
                          {"file", session_.path() ? session_.path()->string() : ""},
-                         {"dialog", files_.isBrowsing() ? "browser" : dialogs_.openName()},
+                         {"dialog", openDialog()},
                          {"colour", settings_.tool.colour},
                          {"toast", toasts_.newest()}};
     if (const auto& hovered = voxels_.hovered()) {

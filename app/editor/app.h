@@ -10,6 +10,10 @@
 #include "app/editor/file_flow.h"
 #include "app/editor/input.h"
 #include "app/editor/layout.h"
+#include "app/editor/object_selection.h"
+#include "app/editor/overlays.h"
+#include "app/editor/panels/palette_panel.h"
+#include "app/editor/playback.h"
 #include "app/editor/sprite_viewport.h"
 #include "app/editor/toasts.h"
 #include "app/editor/voxel_viewport.h"
@@ -37,6 +41,8 @@ class App {
         keepToolsWork();
         files_.quit();
     }
+    // A script waits for what goes on behind the window; an artist never does.
+    void finishWork() { files_.finishWork(); }
     void say(std::string text) { toasts_.info(std::move(text)); }
 
     [[nodiscard]] bool quits() const { return files_.quits(); }
@@ -56,12 +62,12 @@ class App {
 
     // Parts of the window (app.cpp).
     void buildUi(Ui& ui);
-    void drawDivider(Ui& ui, const Layout& layout);
     void drawDock(Ui& ui);
+    void drawOverlays(Ui& ui, const Layout& layout);
     void renderViews();
     void lockCameras();
-    void advanceAnimation();
     void dumpLayout();
+    [[nodiscard]] std::string openDialog() const;
 
     // What a tool is still making becomes part of the document.
     void keepToolsWork();
@@ -79,11 +85,16 @@ class App {
     ViewFigures figures_;
     Toasts toasts_;
     Dialogs dialogs_;
-    CommandContext context_{session_, settings_, voxels_, sprite_, files_, dialogs_, toasts_};
+    PaletteEditor paletteEditor_{session_, settings_};
+    PalettePanel palettePanel_{paletteEditor_};
+    ObjectSelection objects_;
+    Playback playback_;
+    Overlays overlays_;
+    CommandContext context_{session_, settings_, voxels_,  sprite_,   files_,        dialogs_,
+                            toasts_,  overlays_, objects_, playback_, paletteEditor_};
     FileFlow files_{context_};
     bool framed_ = false;  // the cameras have been placed for this document
     glm::dvec2 pointer_{0.0};
-    double animationSeconds_ = 0.0;
     // When the input that this frame answers arrived.
     std::optional<double> editStart_;
     std::uint64_t shownModel_ = 0;

@@ -13,7 +13,11 @@ class VoxelViewport;
 class SpriteViewport;
 class FileFlow;
 class Dialogs;
+class ObjectSelection;
+class Playback;
 class Toasts;
+struct Overlays;
+class PaletteEditor;
 
 struct CommandContext {
     Session& session;
@@ -23,6 +27,10 @@ struct CommandContext {
     FileFlow& files;
     Dialogs& dialogs;
     Toasts& toasts;
+    Overlays& overlays;
+    ObjectSelection& objects;
+    Playback& playback;
+    PaletteEditor& palette;
 
     void perform(Action action) { report(session.perform(std::move(action))); }
     // A failure becomes a message on screen.

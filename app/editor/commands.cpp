@@ -3,6 +3,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cctype>
+#include <sstream>
 
 #include "app/editor/command_context.h"
 #include "app/editor/commands/tables.h"
@@ -13,9 +15,9 @@ namespace {
 
 std::vector<Command> allCommands() {
     std::vector<Command> all;
-    for (const auto table :
-         {fileCommands(), editCommands(), objectCommands(), toolCommands(), toolOptionCommands(),
-          viewCommands(), sceneCommands(), helpCommands()}) {
+    for (const auto table : {fileCommands(), editCommands(), objectCommands(), animationCommands(),
+                             toolCommands(), toolOptionCommands(), paletteCommands(),
+                             viewCommands(), sceneCommands(), helpCommands()}) {
         all.insert(all.end(), table.begin(), table.end());
     }
     return all;
@@ -37,6 +39,30 @@ const Command& commandOf(CommandId id) {
     return *std::ranges::find(commands(), id, &Command::id);
 }
 
+const char* titleOf(MenuId menu) {
+    switch (menu) {
+        case MenuId::none:
+            break;
+        case MenuId::file:
+            return "File";
+        case MenuId::edit:
+            return "Edit";
+        case MenuId::object:
+            return "Object";
+        case MenuId::animation:
+            return "Animation";
+        case MenuId::tool:
+            return "Tools";
+        case MenuId::palette:
+            return "Palette";
+        case MenuId::view:
+            return "View";
+        case MenuId::help:
+            return "Help";
+    }
+    return "";
+}
+
 bool isEnabled(CommandId id, const CommandContext& context) {
     const Command& command = commandOf(id);
     return command.enabled == nullptr || command.enabled(context);
@@ -50,6 +76,57 @@ bool isOn(CommandId id, const CommandContext& context) {
 const std::array<Chord, 2>& chordsOf(const Command& command, const Keymap& keymap) {
     const auto bound = keymap.find(std::string_view(command.tag));
     return bound != keymap.end() ? bound->second : command.chords;
+}
+
+void bindKeys(Keymap& keymap, const Command& command, const std::array<Chord, 2>& chords) {
+    if (chords == command.chords) {
+        keymap.erase(command.tag);
+    } else {
+        keymap[command.tag] = chords;
+    }
+}
+
+std::vector<const Command*> conflictsOf(const Command& command, const Chord& chord,
+                                        const Keymap& keymap) {
+    std::vector<const Command*> others;
+    if (chord.key == 0) return others;
+    for (const Command& other : commands()) {
+        const auto& chords = chordsOf(other, keymap);
+        const bool same = std::ranges::find(chords, chord) != chords.end();
+        if (other.id != command.id && same) others.push_back(&other);
+    }
+    return others;
+}
+
+std::string conflictText(const Command& command, const Keymap& keymap) {
+    std::string text;
+    for (const Chord& chord : chordsOf(command, keymap)) {
+        for (const Command* other : conflictsOf(command, chord, keymap)) {
+            text += (text.empty() ? "Also means: " : ", ") + std::string(other->name);
+        }
+    }
+    return text;
+}
+
+std::vector<const Command*> commandsWithKey(std::string_view query, const Keymap& keymap) {
+    const auto lowered = [](std::string text) {
+        for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        return text;
+    };
+    std::vector<std::string> words;
+    std::istringstream stream(lowered(std::string(query)));
+    for (std::string word; stream >> word;) words.push_back(word);
+    std::vector<const Command*> found;
+    for (const Command& command : commands()) {
+        const auto& chords = chordsOf(command, keymap);
+        const std::string text = lowered(std::string(titleOf(command.menu)) + " " + command.name +
+                                         " " + chordText(chords[0]) + " " + chordText(chords[1]));
+        const auto isIn = [&](const std::string& word) {
+            return text.find(word) != std::string::npos;
+        };
+        if (std::ranges::all_of(words, isIn)) found.push_back(&command);
+    }
+    return found;
 }
 
 std::string nameWithKey(CommandId id, const Keymap& keymap) {

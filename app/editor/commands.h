@@ -31,9 +31,35 @@ enum class CommandId : std::uint8_t {
     // Edit
     undo,
     redo,
+    // Objects
     addObject,
     duplicateObject,
+    duplicateLinked,
+    makeSingleUser,
+    renameObject,
+    groupObjects,
+    ungroupObjects,
+    mergeObjects,
     deleteObject,
+    hideObject,
+    lockObject,
+    turnObjectX,
+    turnObjectY,
+    turnObjectZ,
+    mirrorObjectX,
+    mirrorObjectY,
+    mirrorObjectZ,
+    // Animation
+    togglePlaying,
+    previousFrame,
+    nextFrame,
+    addFrame,
+    addHeldFrame,
+    addEmptyFrame,
+    deleteFrame,
+    addClip,
+    toggleOnionSkin,
+    toggleTimeline,
     // Tools
     modeAttach,
     modeErase,
@@ -101,11 +127,38 @@ enum class CommandId : std::uint8_t {
     toggleSinglePass,
     saveSprite,
     copySprite,
+    // Palette
+    lastColour,
+    nextColour,
+    duplicateColour,
+    swapColours,
+    gradientColours,
+    removeUnusedColours,
+    sortByHue,
+    sortByLightness,
+    sortByUse,
+    sortByIndex,
+    makeRamp,
+    suggestRamps,
+    removeRamp,
+    addVariant,
+    showNextVariant,
+    importPalette,
+    exportPalette,
+    savedCameras,
+    toggleTools,
+    toggleSide,
+    toggleDock,
+    togglePanels,
     // Help
+    commandPalette,
+    keyList,
+    tour,
+    preferences,
     about
 };
 
-enum class MenuId : std::uint8_t { none, file, edit, tool, view, help };
+enum class MenuId : std::uint8_t { none, file, edit, object, animation, tool, palette, view, help };
 
 struct Command {
     CommandId id = CommandId::newFile;
@@ -127,11 +180,22 @@ struct Command {
 // All areas' commands in the order of their menus.
 [[nodiscard]] std::span<const Command> commands();
 [[nodiscard]] const Command& commandOf(CommandId id);
+[[nodiscard]] const char* titleOf(MenuId menu);  // "File"
 [[nodiscard]] bool isEnabled(CommandId id, const CommandContext& context);
 [[nodiscard]] bool isOn(CommandId id, const CommandContext& context);
 
 // What the keys mean: the defaults of the tables but for what the artist bound otherwise.
 [[nodiscard]] const std::array<Chord, 2>& chordsOf(const Command& command, const Keymap& keymap);
+// What differs from the defaults is kept, nothing else.
+void bindKeys(Keymap& keymap, const Command& command, const std::array<Chord, 2>& chords);
+// Other commands that the same keys mean; none for no key.
+[[nodiscard]] std::vector<const Command*> conflictsOf(const Command& command, const Chord& chord,
+                                                      const Keymap& keymap);
+// "Also means: Redo, Quit", or nothing.
+[[nodiscard]] std::string conflictText(const Command& command, const Keymap& keymap);
+// Whose name, menu or keys contain the words of the query; in the order of the menus.
+[[nodiscard]] std::vector<const Command*> commandsWithKey(std::string_view query,
+                                                          const Keymap& keymap);
 // "Undo  (Ctrl+Z)"
 [[nodiscard]] std::string nameWithKey(CommandId id, const Keymap& keymap);
 

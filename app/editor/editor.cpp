@@ -126,7 +126,8 @@ Status Editor::oneFrame() {
     const double delta = automatic() ? 1.0 / 60.0 : now - lastSeconds_;
     lastSeconds_ = now;
 
-    const Theme& theme = host_.updateTheme(app_.settings().window.theme);
+    if (automatic()) app_.finishWork();
+    const Theme& theme = host_.updateTheme(app_.settings().window);
     host_.beginFrame(events, delta);
     app_.frame(theme, events);
     host_.applyCursor();
@@ -172,7 +173,8 @@ Status runEditor(const EditorOptions& options) {
     using namespace editor;
     // A run that is not driven by a hand neither uses nor changes what the user chose.
     const bool automatic = options.screenshot || options.playScript;
-    const EditorSettings settings = automatic ? EditorSettings{} : loadSettings(settingsPath());
+    EditorSettings settings = automatic ? EditorSettings{} : loadSettings(settingsPath());
+    if (automatic) settings.window.tourSeen = true;
 
     Result<Window> window = Window::open("voxprite", options.windowPx, options.contentScale);
     if (!window) return Failure(window.error());

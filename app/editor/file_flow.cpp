@@ -1,5 +1,6 @@
 #include "app/editor/file_flow.h"
 
+#include "app/editor/panels/progress.h"
 #include "app/editor/toasts.h"
 
 namespace voxprite::editor {
@@ -7,6 +8,7 @@ namespace {
 
 const std::vector<std::string> kModelExtensions{".voxprite", ".vox", ".svo"};
 const std::vector<std::string> kProfileExtensions{".json"};
+constexpr double kProgressAfterSeconds = 0.25;
 
 std::string stemOf(const Session& session) {
     return session.path() ? session.title() : "untitled";
@@ -39,9 +41,7 @@ void FileFlow::exportOctree() {
             .saving = true,
             .extensions = {".svo"},
             .name = stemOf(context_.session) + ".svo"},
-           [this](CommandContext& c, const std::filesystem::path& path) {
-               tell(c.session.saveAs(path), "Exported and verified " + path.filename().string());
-           });
+           [this](CommandContext&, const std::filesystem::path& path) { exportTo(path); });
 }
 
 void FileFlow::openProfile() {
@@ -84,9 +84,44 @@ void FileFlow::draw(Ui& ui) {
         const Chosen chosen = std::exchange(chosen_, {});
         chosen(context_, *path);
     }
+    static_cast<void>(job_.finish());
+    if (job_.running()) {
+        // Most work is over before anyone could read what it was.
+        const bool shows = job_.seconds() > kProgressAfterSeconds;
+        if (drawProgress(ui, job_, blocks_, shows)) cancelWork();
+    } else if (afterJob_ != Waiting::none) {
+        unlessUnsaved(std::exchange(afterJob_, Waiting::none));
+    }
+}
+
+void FileFlow::finishWork() {
+    while (job_.running()) {
+        job_.wait();
+        static_cast<void>(job_.finish());
+    }
+}
+
+Status FileFlow::work(std::string title, BackgroundJob::Work work) {
+    if (job_.running()) return fail(job_.title() + " is not done yet");
+    blocks_ = false;
+    afterCancel_ = {};
+    job_.start(std::move(title), std::move(work));
+    return {};
+}
+
+void FileFlow::cancelWork() {
+    job_.cancel();
+    waiting_ = afterJob_ = Waiting::none;
+    if (const auto afterwards = std::exchange(afterCancel_, {})) afterwards();
+    context_.toasts.info("Cancelled: " + job_.title());
 }
 
 void FileFlow::unlessUnsaved(Waiting what) {
+    if (job_.running()) {
+        // What is being saved is saved to its end first.
+        afterJob_ = what;
+        return context_.toasts.info(job_.title() + " first");
+    }
     waiting_ = what;
     if (context_.session.unsaved()) {
         context_.dialogs.askUnsaved();
@@ -127,17 +162,61 @@ void FileFlow::goOn() {
 }
 
 void FileFlow::openNow(const std::filesystem::path& path) {
-    if (!tell(context_.session.open(path), {})) return;
-    context_.settings.remember(path);
-    replaced_ = true;
-    for (const std::string& warning : context_.session.warnings()) context_.toasts.info(warning);
+    const auto opening = [this, path](JobProgress& progress) -> BackgroundJob::Done {
+        progress.enter("Reading and building the octree", 0.0);
+        // Shared, as what a job leaves behind can be copied.
+        const auto opened = std::make_shared<Result<Session::Opened>>(Session::read(path));
+        return [this, path, opened] {
+            CommandContext& c = context_;
+            if (!*opened) return c.dialogs.showError(opened->error().describe());
+            c.session.adopt(std::move(**opened));
+            c.settings.remember(path);
+            replaced_ = true;
+            for (const std::string& warning : c.session.warnings()) c.toasts.info(warning);
+        };
+    };
+    if (tell(work("Opening " + path.filename().string(), opening), {})) blocks_ = true;
+}
+
+void FileFlow::write(std::string title, const std::filesystem::path& path,
+                     std::function<void()> afterwards) {
+    if (job_.running()) {
+        tell(fail(job_.title() + " is not done yet"), {});
+        return;
+    }
+    Result<Session::Saving> begun = context_.session.beginSaving(path);
+    if (!begun) {
+        tell(Failure(begun.error()), {});
+        return;
+    }
+    const auto saving = std::make_shared<const Session::Saving>(std::move(*begun));
+    const auto writing = [this, saving, afterwards](JobProgress& progress) -> BackgroundJob::Done {
+        progress.enter("Writing", 0.0);
+        const Status written = Session::write(*saving, progress.stopToken());
+        return [this, saving, written, afterwards] {
+            context_.session.endSaving(*saving, written.has_value());
+            if (tell(written, {})) afterwards();
+        };
+    };
+    static_cast<void>(work(std::move(title), writing));
+    afterCancel_ = [this, saving] { context_.session.endSaving(*saving, false); };
+}
+
+void FileFlow::exportTo(const std::filesystem::path& path) {
+    const std::string name = path.filename().string();
+    write("Exporting " + name, path,
+          [this, name] { context_.toasts.info("Exported and verified " + name); });
 }
 
 void FileFlow::saveTo(const std::filesystem::path& path) {
-    if (!tell(context_.session.saveAs(path), "Saved " + path.filename().string())) return;
-    context_.settings.remember(path);
-    // A .vox file is an export: the document is as unsaved as it was.
-    if (!context_.session.unsaved()) goOn();
+    const std::string name = path.filename().string();
+    write("Saving " + name, path, [this, path, name] {
+        context_.toasts.info("Saved " + name);
+        context_.settings.remember(path);
+        // A .vox file is an export: the document is as unsaved as it was.
+        if (context_.session.unsaved()) waiting_ = Waiting::none;
+        goOn();
+    });
 }
 
 bool FileFlow::tell(const Status& done, const std::string& news) {

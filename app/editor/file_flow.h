@@ -1,10 +1,12 @@
 // Opening, saving and exporting: from the question about unsaved changes over the choice of a file
-// to the news that it is done.
+// to the news that it is done. What takes long goes on behind the window; while a file is being
+// opened nothing else can be done, while one is being saved all can.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 
+#include "app/editor/background_job.h"
 #include "app/editor/command_context.h"
 #include "app/editor/panels/dialogs.h"
 #include "app/editor/panels/file_browser.h"
@@ -31,8 +33,14 @@ class FileFlow {
     using Chosen = std::function<void(CommandContext&, const std::filesystem::path&)>;
     void browse(FileBrowser::Request request, Chosen chosen);
 
-    // The dialogs, while there are any.
+    // For any other long work: one thing at a time, so it fails while another goes on.
+    [[nodiscard]] Status work(std::string title, BackgroundJob::Work work);
+
+    // The dialogs, while there are any; and the end of what went on behind the window.
     void draw(Ui& ui);
+    [[nodiscard]] bool isWorking() const { return job_.running(); }
+    // Scripts do one thing after another: waits until nothing goes on.
+    void finishWork();
     [[nodiscard]] bool isBrowsing() const { return browser_.isOpen(); }
 
     [[nodiscard]] bool quits() const { return quits_; }
@@ -47,13 +55,22 @@ class FileFlow {
     void goOn();
     void openNow(const std::filesystem::path& path);
     void saveTo(const std::filesystem::path& path);
+    void exportTo(const std::filesystem::path& path);
+    void write(std::string title, const std::filesystem::path& path,
+               std::function<void()> afterwards);
+    void cancelWork();
     // A failure to be read; success to be seen in passing.
     bool tell(const Status& done, const std::string& news);
 
     CommandContext& context_;
     FileBrowser browser_;
     Chosen chosen_;
+    BackgroundJob job_;
+    bool blocks_ = false;  // nothing else may be done meanwhile
+    // What a cancelled job leaves to put right.
+    std::function<void()> afterCancel_;
     Waiting waiting_ = Waiting::none;
+    Waiting afterJob_ = Waiting::none;  // until the job has ended
     std::filesystem::path waitingFile_;
     bool quits_ = false;
     bool replaced_ = false;

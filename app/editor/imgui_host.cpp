@@ -85,8 +85,10 @@ Result<ImGuiHost> ImGuiHost::create(Window& window) {
     return host;
 }
 
-const Theme& ImGuiHost::updateTheme(ThemeKind kind) {
-    const auto scale = static_cast<float>(std::clamp(window_->contentScale(), 0.5, 4.0));
+const Theme& ImGuiHost::updateTheme(const WindowSettings& settings) {
+    const ThemeKind kind = settings.theme;
+    const float scale =
+        std::clamp(static_cast<float>(window_->contentScale()) * settings.scale, 0.5f, 5.0f);
     if (!themeReady_ || scale != theme_.scale) {
         theme_.fonts = buildFonts(scale);
         ImGui_ImplOpenGL3_DestroyFontsTexture();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/editor/input.h"
+#include "app/editor/settings.h"
 #include "app/editor/theme.h"
 #include "app/editor/window.h"
 #include "core/base/result.h"
@@ -20,8 +21,8 @@ class ImGuiHost {
     ImGuiHost(ImGuiHost&&) noexcept;
     ImGuiHost& operator=(ImGuiHost&&) = delete;
 
-    // Rebuilds fonts and style when the kind or the window's scale changed.
-    const Theme& updateTheme(ThemeKind kind);
+    // Rebuilds fonts and style when the theme or the scale changed.
+    const Theme& updateTheme(const WindowSettings& settings);
 
     void beginFrame(const std::vector<InputEvent>& events, double deltaSeconds);
     // Draws into the window's back buffer, over `clear`.

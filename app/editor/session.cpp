@@ -69,6 +69,7 @@ void Session::followPalette() {
 }
 
 Status Session::followVoxels(const Changed::Voxels& changed) {
+    voxelRevisions_[static_cast<std::size_t>(changed.model)] = ++lastVoxelRevision_;
     std::vector<LiveOctree::Edit> edits;
     for (const Instance& instance : sampler_->instances()) {
         if (instance.model != changed.model) continue;
@@ -151,25 +152,44 @@ OctreeChanges Session::takeOctreeChanges() {
     return shown_.takeChanges();
 }
 
-Status Session::rebuild() {
-    const Document& document = workspace_.document;
-    frames_ = frameCount(document);
-    frame_ = std::clamp(frame_, 0, frames_ - 1);
-    if (Status rebuilt = octree_.rebuild(flatten(document, frame_)); !rebuilt) return rebuilt;
-    shown_.reset(octree_);
-    sampler_.emplace(document, frame_);
-    bounds_ = entityBounds(document);
-
-    placesOfModel_.assign(document.models.size(), {});
-    for (int frame = 0; frame < frames_; ++frame) {
-        for (const Instance& instance : instancesOf(document, frame)) {
-            auto& places = placesOfModel_[static_cast<std::size_t>(instance.model)];
+Result<Session::Derived> Session::derive(const Document& document, int frame) {
+    Derived derived;
+    if (Status built = derived.octree.rebuild(flatten(document, frame)); !built) {
+        return Failure(built.error());
+    }
+    derived.shown.reset(derived.octree);
+    derived.bounds = entityBounds(document);
+    derived.frames = frameCount(document);
+    derived.placesOfModel.resize(document.models.size());
+    for (int each = 0; each < derived.frames; ++each) {
+        for (const Instance& instance : instancesOf(document, each)) {
+            auto& places = derived.placesOfModel[static_cast<std::size_t>(instance.model)];
             if (std::ranges::find(places, instance.entityFromModel) == places.end()) {
                 places.push_back(instance.entityFromModel);
             }
         }
     }
+    return derived;
+}
+
+void Session::install(Derived derived) {
+    octree_ = std::move(derived.octree);
+    shown_ = std::move(derived.shown);
+    bounds_ = derived.bounds;
+    frames_ = derived.frames;
+    placesOfModel_ = std::move(derived.placesOfModel);
+    const std::size_t models = document().models.size();
+    voxelRevisions_.resize(std::min(voxelRevisions_.size(), models));
+    while (voxelRevisions_.size() < models) voxelRevisions_.push_back(++lastVoxelRevision_);
+    sampler_.emplace(workspace_.document, frame_);
     chooseActiveNode();
+}
+
+Status Session::rebuild() {
+    frame_ = std::clamp(frame_, 0, frameCount(document()) - 1);
+    Result<Derived> derived = derive(document(), frame_);
+    if (!derived) return Failure(derived.error());
+    install(std::move(*derived));
     return {};
 }
 

@@ -11,12 +11,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "app/editor/shown_octree.h"
 #include "core/edit/clip.h"
 #include "core/edit/history.h"
+#include "core/io/formats.h"
 #include "core/model/entity_voxels.h"
 #include "core/sprite/sprite_view.h"
 #include "core/svo/live_octree.h"
@@ -54,6 +56,10 @@ class Session {
     // palette and scene.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
     [[nodiscard]] std::uint64_t modelRevision() const { return modelRevision_; }
+    // Changes with every change of one model's voxels, and is never the same for two models.
+    [[nodiscard]] std::uint64_t voxelRevision(int model) const {
+        return voxelRevisions_[static_cast<std::size_t>(model)];
+    }
 
     // The palette variant that is shown and whose colours are edited; nothing: the palette's own.
     // Another document starts with its own.
@@ -96,6 +102,36 @@ class Session {
     // Native, .vox or .svo, by the ending. Only the native format makes the document saved under
     // that name; the others are exports.
     [[nodiscard]] Status saveAs(const std::filesystem::path& path);
+
+    // The same in two halves, for long files. read() and write() do what takes time, on any
+    // thread; what goes before or after them is quick.
+    struct Derived {
+        LiveOctree octree;
+        ShownOctree shown;
+        IBox bounds;
+        int frames = 1;
+        // Where each model lies in any frame, each place once: what bounds grow by.
+        std::vector<std::vector<Placement>> placesOfModel;
+    };
+    struct Opened {
+        std::filesystem::path path;
+        LoadedDocument loaded;
+        Derived derived;
+    };
+    [[nodiscard]] static Result<Opened> read(const std::filesystem::path& path);
+    void adopt(Opened opened);
+    struct Saving {
+        std::filesystem::path path;
+        Format format = Format::voxprite;
+        Document document;
+        GameProfile profile;
+        bool wasSaved = false;  // there was nothing to save
+    };
+    // The document as it is now. It counts as saved from here on; endSaving() says whether it was.
+    [[nodiscard]] Result<Saving> beginSaving(const std::filesystem::path& path);
+    [[nodiscard]] static Status write(const Saving& saving, std::stop_token stop = {});
+    void endSaving(const Saving& saving, bool saved);
+
     [[nodiscard]] Status openProfile(const std::filesystem::path& path);
     [[nodiscard]] Status saveProfile(const std::filesystem::path& path);
 
@@ -119,8 +155,11 @@ class Session {
     // What the entity shows at a voxel once `patches` are in force.
     [[nodiscard]] std::uint8_t valueWith(const std::vector<VoxelPatch>& patches,
                                          glm::ivec3 entityVoxel) const;
+    // All that follows from one frame of a document.
+    [[nodiscard]] static Result<Derived> derive(const Document& document, int frame);
+    void install(Derived derived);
     [[nodiscard]] Status rebuild();
-    [[nodiscard]] Status adopt(Document document);
+    void adopt(Document document, Derived derived);
     void chooseActiveNode();
     void followPalette();
 
@@ -133,13 +172,14 @@ class Session {
     Palette shownPalette_;
     std::uint64_t revision_ = 1;
     std::uint64_t modelRevision_ = 1;
+    std::vector<std::uint64_t> voxelRevisions_;
+    std::uint64_t lastVoxelRevision_ = 0;
     std::uint64_t lastMergeKey_ = 0;
 
     int frame_ = 0;
     int frames_ = 1;
     int activeNode_ = -1;
     std::optional<EntitySampler> sampler_;
-    // Where each model lies in any frame, each place once: what bounds grow by.
     std::vector<std::vector<Placement>> placesOfModel_;
 
     std::optional<std::filesystem::path> path_;

@@ -8,61 +8,85 @@
 
 namespace voxprite::editor {
 
-Status Session::adopt(Document document) {
-    // All or nothing: the octree is built from the new document before the old one goes.
-    Document before = std::exchange(workspace_.document, std::move(document));
-    const int frameBefore = std::exchange(frame_, 0);
-    const int activeBefore = std::exchange(activeNode_, -1);
-    if (Status rebuilt = rebuild(); !rebuilt) {
-        workspace_.document = std::move(before);
-        frame_ = frameBefore;
-        activeNode_ = activeBefore;
-        static_cast<void>(rebuild());
-        return rebuilt;
-    }
+void Session::adopt(Document document, Derived derived) {
+    workspace_.document = std::move(document);
+    frame_ = 0;
+    activeNode_ = -1;
+    voxelRevisions_.clear();
+    install(std::move(derived));
     showVariant(std::nullopt);
     history_.clear();
     history_.markSaved();
     warnings_.clear();
-    return {};
 }
 
 Status Session::startNew() {
-    if (Status adopted = adopt(Document::withEmptyModel()); !adopted) return adopted;
+    Document empty = Document::withEmptyModel();
+    Result<Derived> derived = derive(empty, 0);
+    if (!derived) return Failure(derived.error());
+    adopt(std::move(empty), std::move(*derived));
     path_.reset();
     return {};
 }
 
-Status Session::open(const std::filesystem::path& path) {
+Result<Session::Opened> Session::read(const std::filesystem::path& path) {
     Result<LoadedDocument> loaded = loadDocument(path);
     if (!loaded) return Failure(loaded.error());
-    const AuthoredValues authored = loaded->document.authored;
-    if (Status adopted = adopt(std::move(loaded->document)); !adopted) {
-        return inFile(adopted, path.string());
-    }
-    path_ = path;
-    warnings_ = std::move(loaded->warnings);
+    Result<Derived> derived = derive(loaded->document, 0);
+    if (!derived) return inFile(Result<Opened>(Failure(derived.error())), path.string());
+    return Opened{path, std::move(*loaded), std::move(*derived)};
+}
+
+void Session::adopt(Opened opened) {
+    const AuthoredValues authored = opened.loaded.document.authored;
+    adopt(std::move(opened.loaded.document), std::move(opened.derived));
+    path_ = std::move(opened.path);
+    warnings_ = std::move(opened.loaded.warnings);
     // A game's profile wins over what the file was made with; the built-in one stands for no game.
-    if (!profilePath_ && loaded->format != Format::vox) {
+    if (!profilePath_ && opened.loaded.format != Format::vox) {
         workspace_.profile.voxelSizeMetres = authored.voxelSizeMetres;
         workspace_.profile.sigma = authored.sigma;
         savedProfile_ = workspace_.profile;
     }
+}
+
+Status Session::open(const std::filesystem::path& path) {
+    Result<Opened> opened = read(path);
+    if (!opened) return Failure(opened.error());
+    adopt(std::move(*opened));
     return {};
 }
 
-Status Session::saveAs(const std::filesystem::path& path) {
+Result<Session::Saving> Session::beginSaving(const std::filesystem::path& path) {
     const Result<Format> format = formatOf(path);
     if (!format) return Failure(format.error());
     // A record of the game's values at this time; no edit of the document.
     workspace_.document.authored = {profile().voxelSizeMetres, profile().sigma};
-    if (Status saved = saveDocument(path, document(), profile()); !saved) return saved;
-    if (*format == Format::voxprite) {
-        path_ = path;
-        history_.markSaved();
-        if (!profilePath_) savedProfile_ = workspace_.profile;
+    const bool wasSaved = history_.isSaved();
+    if (*format == Format::voxprite) history_.markSaved();
+    return Saving{path, *format, document(), profile(), wasSaved};
+}
+
+Status Session::write(const Saving& saving, std::stop_token stop) {
+    return saveDocument(saving.path, saving.document, saving.profile, std::move(stop));
+}
+
+void Session::endSaving(const Saving& saving, bool saved) {
+    if (saving.format != Format::voxprite) return;
+    if (!saved) {
+        if (!saving.wasSaved) history_.markUnsaved();
+        return;
     }
-    return {};
+    path_ = saving.path;
+    if (!profilePath_) savedProfile_ = saving.profile;
+}
+
+Status Session::saveAs(const std::filesystem::path& path) {
+    const Result<Saving> saving = beginSaving(path);
+    if (!saving) return Failure(saving.error());
+    Status written = write(*saving);
+    endSaving(*saving, written.has_value());
+    return written;
 }
 
 Status Session::openProfile(const std::filesystem::path& path) {

@@ -46,6 +46,7 @@ struct ToolSettings {
     std::uint8_t colour = 1;
     ToolOptions options;
     GizmoKind gizmo = GizmoKind::move;
+    bool socketsInThisFrame = false;  // moving a socket does so in the frame shown alone
 
     void choose(ToolKind chosen);
     // Leaves a tool that is good for one click, as it would do itself.
@@ -71,6 +72,9 @@ struct ViewSettings {
     bool groundGrid = false;
     bool shadow = true;
     bool lockCameras = false;
+    bool onionSkin = false;  // the frames before and after, in the edit view
+    bool socketMarkers = true;
+    double framesPerSecond = 8.0;  // of an animation without clips, 0.1 ... 120
     bool playing = false;
     bool operator==(const ViewSettings&) const = default;
 };
@@ -109,8 +113,10 @@ struct WindowSettings {
     bool showsTools = true;
     bool showsSide = true;
     bool showsDock = true;
-    std::vector<std::string> foldedSections;  // of the inspector, by title
+    bool showsTimeline = true;                // where there is an animation
+    std::vector<std::string> turnedSections;  // folded, or unfolded, against their default
     bool tourSeen = false;
+    int historyMegabytes = 2048;  // most that undo holds
     DockTab dockTab = DockTab::palette;
     std::filesystem::path folder;  // where file dialogs start
     std::vector<std::filesystem::path> recent;

@@ -77,6 +77,9 @@ void describe(Archive archive, ViewSettings& view) {
     archive.field("ground_grid", view.groundGrid);
     archive.field("shadow", view.shadow);
     archive.field("lock_cameras", view.lockCameras);
+    archive.field("onion_skin", view.onionSkin);
+    archive.field("socket_markers", view.socketMarkers);
+    archive.number("frames_per_second", view.framesPerSecond, 0.1, 120.0);
 }
 
 template <class Archive>
@@ -89,8 +92,10 @@ void describe(Archive archive, WindowSettings& window) {
     archive.field("shows_tools", window.showsTools);
     archive.field("shows_side", window.showsSide);
     archive.field("shows_dock", window.showsDock);
-    archive.field("folded_sections", window.foldedSections);
+    archive.field("shows_timeline", window.showsTimeline);
+    archive.field("turned_sections", window.turnedSections);
     archive.field("tour_seen", window.tourSeen);
+    archive.number("history_megabytes", window.historyMegabytes, 16, 65'536);
     archive.choice("dock_tab", window.dockTab, DockTab::scene);
 }
 

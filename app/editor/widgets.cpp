@@ -52,12 +52,20 @@ void tooltip(Ui& ui, const char* text) {
 bool section(Ui& ui, const char* title, bool openAtFirst) {
     const Theme& theme = ui.theme;
     ImGui::PushID(title);
-    ImGuiStorage& storage = *ImGui::GetStateStorage();
-    const ImGuiID id = ImGui::GetID("open");
-    bool open = storage.GetBool(id, openAtFirst);
+    std::vector<std::string>& turned = ui.settings.window.turnedSections;
+    const auto place = std::ranges::find(turned, title);
+    bool open = openAtFirst == (place == turned.end());
     const ImVec2 min = ImGui::GetCursorScreenPos();
     const ImVec2 size(ImGui::GetContentRegionAvail().x, theme.px(26));
-    if (ImGui::InvisibleButton("heading", size)) storage.SetBool(id, open = !open);
+    if (ImGui::InvisibleButton("heading", size)) {
+        open = !open;
+        if (place == turned.end()) {
+            turned.emplace_back(title);
+        } else {
+            turned.erase(place);
+        }
+    }
+    ui.probe.markItem(std::string("section.") + title);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImU32 colour = ImGui::IsItemHovered() ? theme.text : theme.textDim;
     const float textY = min.y + std::floor((size.y - theme.fonts.bold->FontSize) * 0.5f);

@@ -124,6 +124,8 @@ class History {
         return savedPosition_ == static_cast<long long>(position_);
     }
     void markSaved() { savedPosition_ = static_cast<long long>(position_); }
+    // What was marked has not been saved after all.
+    void markUnsaved() { savedPosition_ = -1; }
 
   private:
     void dropRedoable();

@@ -123,10 +123,11 @@ std::vector<std::string> lossesOf(const Document& document, Format format) {
 }
 
 Status saveDocument(const std::filesystem::path& path, const Document& document,
-                    const GameProfile& profile) {
+                    const GameProfile& profile, std::stop_token stop) {
     const Result<Format> format = formatOf(path);
     if (!format) return Failure(format.error());
     const Result<Bytes> bytes = writeAs(*format, document, profile);
+    if (stop.stop_requested()) return failInFile(path.string(), "cancelled, nothing written");
     if (!bytes) return inFile(Status(Failure(bytes.error())), path.string());
     return inFile(writeFileAtomically(path, *bytes), path.string());
 }

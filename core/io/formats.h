@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,9 @@ struct LoadedDocument {
 // What writing the document in this format leaves out, one sentence each; none for .voxprite.
 [[nodiscard]] std::vector<std::string> lossesOf(const Document& document, Format format);
 // Atomic. For .svo this is the verified export: the bytes are read back and compared voxel by voxel
-// before the file appears under its name.
+// before the file appears under its name. Asked to stop while it works it fails, having written
+// nothing.
 [[nodiscard]] Status saveDocument(const std::filesystem::path& path, const Document& document,
-                                  const GameProfile& profile);
+                                  const GameProfile& profile, std::stop_token stop = {});
 
 }  // namespace voxprite

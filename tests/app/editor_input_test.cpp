@@ -137,7 +137,7 @@ TEST(EditorSettingsFile, KeepsWhatWasChosenAndSurvivesNonsense) {
     settings.window.dockTab = DockTab::history;
     settings.window.sideWidth = 400.0f;
     settings.window.showsDock = false;
-    settings.window.foldedSections = {"Light"};
+    settings.window.turnedSections = {"Light"};
     settings.window.scale = 1.25f;
     settings.input.navigation = NavigationPreset::blender;
     settings.view.backdrop = Backdrop::sky;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <vector>
 
 #include "app/editor/gizmo.h"
 #include "app/editor/layout.h"
@@ -95,16 +96,39 @@ bool overlap(const Area& a, const Area& b) {
     return a.min.x < b.max().x && b.min.x < a.max().x && a.min.y < b.max().y && b.min.y < a.max().y;
 }
 
+// As an artist may have left the panels.
+std::vector<WindowSettings> arrangements() {
+    std::vector<WindowSettings> all;
+    for (const float split : {0.15f, 0.5f, 0.85f}) {
+        for (int folded = 0; folded < 8; ++folded) {
+            WindowSettings& settings = all.emplace_back();
+            settings.split = split;
+            settings.showsTools = (folded & 1) == 0;
+            settings.showsSide = (folded & 2) == 0;
+            settings.showsDock = (folded & 4) == 0;
+            settings.sideWidth = split < 0.5f ? kLeastSide : kMostSide;
+            settings.dockShare = split > 0.5f ? kMostDock : kLeastDock;
+        }
+    }
+    return all;
+}
+
 TEST(EditorLayout, PartsTouchButNeverOverlapAndStayInTheWindow) {
     for (const float scale : {1.0f, 1.25f, 1.5f, 2.0f}) {
         Theme theme;
         theme.scale = scale;
         for (const ImVec2 window : {ImVec2(1280, 800), ImVec2(1920, 1080), ImVec2(2560, 1600),
                                     ImVec2(1281, 803), ImVec2(640 * scale, 400 * scale)}) {
-            for (const float split : {0.15f, 0.5f, 0.85f}) {
-                const Layout layout = layoutFor(theme, window, split);
-                const std::array areas{layout.menu,   layout.tools,     layout.edit, layout.divider,
-                                       layout.sprite, layout.inspector, layout.dock, layout.status};
+            for (const WindowSettings& settings : arrangements()) {
+                const Layout layout = layoutFor(theme, window, settings, 90.0f * scale);
+                std::vector<Area> areas{layout.menu,     layout.tools,   layout.options,
+                                        layout.edit,     layout.divider, layout.sprite,
+                                        layout.timeline, layout.sideBar, layout.inspector,
+                                        layout.dockBar,  layout.dock,    layout.status};
+                std::erase_if(areas, [](const Area& area) { return !area.shown(); });
+                EXPECT_EQ(layout.tools.shown(), settings.showsTools);
+                EXPECT_EQ(layout.dock.shown(), settings.showsSide);
+                ASSERT_TRUE(layout.edit.shown() && layout.sprite.shown());
                 for (std::size_t i = 0; i < areas.size(); ++i) {
                     EXPECT_GE(areas[i].min.x, 0.0f);
                     EXPECT_LE(areas[i].max().x, window.x);
@@ -118,7 +142,8 @@ TEST(EditorLayout, PartsTouchButNeverOverlapAndStayInTheWindow) {
                 }
                 EXPECT_EQ(layout.edit.max().x, layout.divider.min.x);
                 EXPECT_EQ(layout.divider.max().x, layout.sprite.min.x);
-                EXPECT_EQ(layout.inspector.max().x, window.x);
+                const Area& last = settings.showsSide ? layout.inspector : layout.sideBar;
+                EXPECT_EQ(last.max().x, window.x);
             }
         }
     }

@@ -1,24 +1,46 @@
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "app/editor/about.h"
 #include "app/editor/command_context.h"
 #include "app/editor/commands/tables.h"
 #include "app/editor/icons.h"
+#include "app/editor/overlays.h"
 #include "app/editor/panels/dialogs.h"
-#include "render/gl/context.h"
 
 namespace voxprite::editor {
 
 std::span<const Command> helpCommands() {
     using enum CommandId;
     static constexpr std::array kCommands{
+        Command{.id = commandPalette,
+                .tag = "command_palette",
+                .menu = MenuId::help,
+                .name = "Find a command…",
+                .icon = icon::kSearch,
+                .chords = {control(GLFW_KEY_P), controlShift(GLFW_KEY_P)},
+                .run = [](CommandContext& c) { c.overlays.palette.open(); }},
+        Command{
+            .id = keyList,
+            .tag = "keys",
+            .menu = MenuId::help,
+            .name = "Keys…",
+            .icon = icon::kKeyboard,
+            .chords = {key(GLFW_KEY_F1)},
+            .run = [](CommandContext& c) { c.overlays.preferences.open(Preferences::Page::keys); }},
+        Command{.id = CommandId::tour,
+                .tag = "tour",
+                .menu = MenuId::help,
+                .name = "Tour of the window",
+                .icon = icon::kHelp,
+                .run = [](CommandContext& c) { c.overlays.tour.open(); }},
         Command{.id = about,
                 .tag = "about",
                 .menu = MenuId::help,
                 .name = "About voxprite",
                 .icon = icon::kInfo,
-                .run =
-                    [](CommandContext& c) {
-                        const gl::DriverInfo driver = gl::driverInfo();
-                        c.dialogs.showAbout(driver.renderer + "\nOpenGL " + driver.version);
-                    }},
+                .separator = true,
+                .run = [](CommandContext& c) { c.dialogs.showAbout(aboutLines()); }},
     };
     return kCommands;
 }

@@ -10,8 +10,10 @@ namespace voxprite::editor {
 [[nodiscard]] std::span<const Command> fileCommands();
 [[nodiscard]] std::span<const Command> editCommands();
 [[nodiscard]] std::span<const Command> objectCommands();
+[[nodiscard]] std::span<const Command> animationCommands();
 [[nodiscard]] std::span<const Command> toolCommands();
 [[nodiscard]] std::span<const Command> toolOptionCommands();
+[[nodiscard]] std::span<const Command> paletteCommands();
 [[nodiscard]] std::span<const Command> viewCommands();
 [[nodiscard]] std::span<const Command> sceneCommands();
 [[nodiscard]] std::span<const Command> helpCommands();

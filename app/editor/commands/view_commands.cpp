@@ -4,6 +4,7 @@
 #include "app/editor/command_context.h"
 #include "app/editor/commands/tables.h"
 #include "app/editor/icons.h"
+#include "app/editor/overlays.h"
 #include "app/editor/sprite_viewport.h"
 #include "app/editor/voxel_viewport.h"
 
@@ -39,6 +40,14 @@ constexpr Command switchCommand(Command command) {
     command.menu = MenuId::view;
     command.run = [](CommandContext& c) { c.settings.view.*flag = !(c.settings.view.*flag); };
     command.on = [](const CommandContext& c) { return c.settings.view.*flag; };
+    return command;
+}
+
+template <bool WindowSettings::*flag>
+constexpr Command panelCommand(Command command) {
+    command.menu = MenuId::view;
+    command.run = [](CommandContext& c) { c.settings.window.*flag = !(c.settings.window.*flag); };
+    command.on = [](const CommandContext& c) { return c.settings.window.*flag; };
     return command;
 }
 
@@ -139,6 +148,36 @@ std::span<const Command> viewCommands() {
             {.id = toggleGroundGrid, .tag = "ground_grid", .name = "Ground lines, one a metre"}),
         switchCommand<&ViewSettings::shadow>(
             {.id = toggleShadow, .tag = "shadow", .name = "Shadow in the game scene"}),
+        Command{.id = savedCameras,
+                .tag = "saved_cameras",
+                .menu = MenuId::view,
+                .name = "Saved views…",
+                .icon = icon::kCamera,
+                .chords = {key(GLFW_KEY_V)},
+                .separator = true,
+                .run = [](CommandContext& c) { c.overlays.cameras.open(); }},
+        panelCommand<&WindowSettings::showsTools>(
+            {.id = toggleTools, .tag = "show_tools", .name = "Tool column", .separator = true}),
+        panelCommand<&WindowSettings::showsSide>(
+            {.id = toggleSide, .tag = "show_side", .name = "Side panels"}),
+        panelCommand<&WindowSettings::showsDock>(
+            {.id = toggleDock, .tag = "show_dock", .name = "Palette and lists"}),
+        Command{.id = togglePanels,
+                .tag = "show_panels",
+                .menu = MenuId::view,
+                .name = "Nothing but the views",
+                .chords = {key(GLFW_KEY_TAB)},
+                .run =
+                    [](CommandContext& c) {
+                        WindowSettings& window = c.settings.window;
+                        const bool show = !window.showsTools && !window.showsSide;
+                        window.showsTools = window.showsSide = show;
+                    },
+                .on =
+                    [](const CommandContext& c) {
+                        const WindowSettings& window = c.settings.window;
+                        return !window.showsTools && !window.showsSide;
+                    }},
         themeCommand<ThemeKind::dark>({.id = themeDark,
                                        .tag = "theme_dark",
                                        .name = "Dark theme",

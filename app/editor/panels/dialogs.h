@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/editor/ui.h"
 
@@ -9,14 +10,17 @@ namespace voxprite::editor {
 
 enum class UnsavedAnswer : std::uint8_t { none, save, discard, cancel };
 
+// "OpenGL", "4.5 (Core Profile) Mesa 22.3.6"
+struct AboutLine {
+    std::string name;
+    std::string value;
+};
+
 class Dialogs {
   public:
     void askUnsaved() { unsaved_ = true; }
     void showError(std::string text) { error_ = std::move(text); }
-    void showAbout(std::string driver) {
-        about_ = true;
-        driver_ = std::move(driver);
-    }
+    void showAbout(std::vector<AboutLine> lines) { about_ = std::move(lines); }
     // "unsaved", "error", "about" or nothing.
     [[nodiscard]] std::string openName() const;
     // Draws what is open; the answer of the frame in which the question was answered.
@@ -28,9 +32,8 @@ class Dialogs {
     void drawAbout(Ui& ui);
 
     bool unsaved_ = false;
-    bool about_ = false;
     std::string error_;
-    std::string driver_;
+    std::vector<AboutLine> about_;
 };
 
 }  // namespace voxprite::editor

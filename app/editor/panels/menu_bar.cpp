@@ -63,7 +63,10 @@ std::optional<std::filesystem::path> drawMenuBar(Ui& ui) {
     };
     constexpr Entry kMenus[] = {{MenuId::file, "File"},
                                 {MenuId::edit, "Edit"},
+                                {MenuId::object, "Object"},
+                                {MenuId::animation, "Animation"},
                                 {MenuId::tool, "Tools"},
+                                {MenuId::palette, "Palette"},
                                 {MenuId::view, "View"},
                                 {MenuId::help, "Help"}};
     std::optional<std::filesystem::path> chosen;

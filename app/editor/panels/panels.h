@@ -7,10 +7,11 @@ namespace voxprite::editor {
 
 void drawToolColumn(Ui& ui);
 void drawInspector(Ui& ui);
-void drawPalette(Ui& ui);
 void drawObjects(Ui& ui);
 void drawHistory(Ui& ui);
 void drawScene(Ui& ui);
+// Of the lists below the inspector; are they unfolded?
+[[nodiscard]] bool drawDockTabs(Ui& ui);
 void drawStatusBar(Ui& ui);
 // The bar at the top; returns a recent file that was chosen.
 [[nodiscard]] std::optional<std::filesystem::path> drawMenuBar(Ui& ui);

@@ -1,0 +1,48 @@
+#include "app/editor/panels/dialog_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voxprite::editor {
+
+bool beginDialog(Ui& ui, const char* id, const char* title, float width, float height) {
+    if (!ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float air = ui.theme.px(32);
+    ImGui::SetNextWindowPos({std::round(display.x * 0.5f), std::round(display.y * 0.46f)},
+                            ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({std::min(ui.theme.px(width), display.x - air),
+                              std::min(ui.theme.px(height), display.y - air)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ui.theme.px(24, 20));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.theme.px(10));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ui.theme.px(8, 8));
+    const bool open = ImGui::BeginPopupModal(
+        id, nullptr,
+        ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+    if (!open) {
+        ImGui::PopStyleVar(3);
+        return false;
+    }
+    ImGui::PushFont(ui.theme.fonts.bold);
+    ImGui::TextUnformatted(title);
+    ImGui::PopFont();
+    return true;
+}
+
+void endDialog() {
+    ImGui::EndPopup();
+    ImGui::PopStyleVar(3);
+}
+
+void placeButtons(Ui& ui, ImVec2 button, int count) {
+    ImGui::Dummy(ui.theme.px(0, 8));
+    const auto buttons = static_cast<float>(count);
+    const float row = buttons * button.x + (buttons - 1.0f) * ui.theme.px(8);
+    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - row);
+}
+
+bool pressedKey(ImGuiKey_ key) {
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
+}
+
+}  // namespace voxprite::editor

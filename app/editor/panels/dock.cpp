@@ -1,0 +1,53 @@
+// The tabs of the lists below the inspector; they stay when the lists are folded.
+#include <array>
+
+#include "app/editor/icons.h"
+#include "app/editor/panels/panels.h"
+#include "app/editor/widgets.h"
+
+namespace voxprite::editor {
+namespace {
+
+void tab(Ui& ui, const char* name, bool on, DockTab value) {
+    const Theme& theme = ui.theme;
+    WindowSettings& window = ui.settings.window;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 text = ImGui::CalcTextSize(name);
+    const ImVec2 size(text.x + theme.px(2), theme.px(28));
+    ImGui::PushID(name);
+    if (ImGui::InvisibleButton("tab", size)) {
+        window.dockTab = value;
+        window.showsDock = true;
+    }
+    ImGui::PopID();
+    ui.probe.markItem(std::string("dock.") + name);
+    const ImU32 colour = on || ImGui::IsItemHovered() ? theme.text : theme.textDim;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddText(theme.fonts.bold, theme.fonts.bold->FontSize, {at.x, at.y + theme.px(5)}, colour,
+                 name);
+    if (on) {
+        draw.AddRectFilled({at.x, at.y + size.y - theme.px(2)}, {at.x + size.x, at.y + size.y},
+                           theme.accent);
+    }
+}
+
+}  // namespace
+
+bool drawDockTabs(Ui& ui) {
+    constexpr std::array<const char*, 4> kTabs{"Palette", "Objects", "History", "Scene"};
+    WindowSettings& window = ui.settings.window;
+    for (std::size_t i = 0; i < kTabs.size(); ++i) {
+        const auto value = static_cast<DockTab>(i);
+        tab(ui, kTabs[i], window.showsDock && window.dockTab == value, value);
+        ImGui::SameLine(0.0f, ui.theme.px(18));
+    }
+    const float square = ui.theme.px(24);
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - square);
+    if (iconButton(ui, "dock.fold", window.showsDock ? icon::kDown : icon::kUpChevron, Lit::off,
+                   square, window.showsDock ? "Fold" : "Unfold")) {
+        window.showsDock = !window.showsDock;
+    }
+    return window.showsDock;
+}
+
+}  // namespace voxprite::editor

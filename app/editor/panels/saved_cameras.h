@@ -1,0 +1,26 @@
+// The list of views that are kept under a name.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "app/editor/camera_bookmarks.h"
+#include "app/editor/ui.h"
+
+namespace voxprite::editor {
+
+class SavedCameras {
+  public:
+    void open() { open_ = true; }
+    [[nodiscard]] bool isOpen() const { return open_; }
+    // `now` is kept when that is asked for. Returns the view that was chosen.
+    [[nodiscard]] std::optional<SavedCamera> draw(Ui& ui, const OrbitCamera& now);
+
+  private:
+    void keep(Ui& ui, const OrbitCamera& now);
+
+    bool open_ = false;
+    std::array<char, 48> name_{};
+};
+
+}  // namespace voxprite::editor

@@ -1,0 +1,12 @@
+// The bars between the parts of the window: drag to move them, double-click to fold what is beside
+// them.
+#pragma once
+
+#include "app/editor/layout.h"
+#include "app/editor/ui.h"
+
+namespace voxprite::editor {
+
+void drawSplitBars(Ui& ui, const Layout& layout);
+
+}  // namespace voxprite::editor
