@@ -94,6 +94,15 @@ VoxelGrid scattered(std::uint64_t seed, glm::ivec3 size, int count) {
     return voxels;
 }
 
+// Light that picks from the palette: the shaders only look up, so nothing can differ.
+TEST_F(SpriteBuffers, ShadingWithinThePalette) {
+    Palette palette = Palette::standard();
+    palette.ramps = {{"", {255, 250, 247}}, {"", {1, 40, 90}}};
+    lit_ = litPalette(palette, {240, 170, 140}, Outline{}, Shading::palette);
+    EXPECT_NE(lit_, litPalette(palette, {240, 170, 140}, Outline{}));
+    compareViews(test::asymmetric(), "asymmetric", allKindsOfViews(4, 6), {4.0});
+}
+
 TEST_F(SpriteBuffers, AsymmetricModelFromEverywhere) {
     compareViews(test::asymmetric(), "asymmetric", allKindsOfViews(40, 1), kSigmas);
     EXPECT_GE(narrow_, 88);

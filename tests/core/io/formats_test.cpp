@@ -32,6 +32,20 @@ TEST(Formats, AreKnownByTheirEnding) {
     EXPECT_FALSE(formatOf(""));
 }
 
+TEST(Formats, WhatAFormatCannotHoldIsSaid) {
+    Document document = Document::withEmptyModel();
+    const std::size_t atFirst = lossesOf(document, Format::vox).size();
+    document.palette.variants = {{"Red", {}}, {"Blue", {}}};
+    document.palette.ramps = {{"", {1, 2}}};
+    EXPECT_TRUE(lossesOf(document, Format::voxprite).empty());
+    for (const Format format : {Format::vox, Format::svo}) {
+        const auto losses = lossesOf(document, format);
+        ASSERT_EQ(losses.size(), atFirst + 2);
+        EXPECT_NE(losses[atFirst].find("Red, Blue"), std::string::npos);
+        EXPECT_NE(losses[atFirst + 1].find("ramps"), std::string::npos);
+    }
+}
+
 TEST(Formats, EveryFormatKeepsTheVoxels) {
     const test::TemporaryFolder folder;
     const Document document = test::busyDocument();

@@ -19,6 +19,7 @@ GameProfile unusualProfile() {
     profile.viewStepDegrees = 11.25;
     profile.outline = {false, Rgba8(255, 16, 1, 255)};
     profile.light = {0.125, {-1.0, 2.5, 1e-3}};
+    profile.shading = Shading::palette;
     return profile;
 }
 

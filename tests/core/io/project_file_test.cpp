@@ -19,6 +19,9 @@ Document fullDocument() {
     document.palette.names[255] = std::string("not \xFF UTF-8 \xC3 \x00 \xF4\x8F\xBF\xBF", 19);
     document.palette.materials[9] = {{"_type", "_glass"}, {"_rough", "0.1"}, {"", ""}};
     std::swap(document.palette.displayOrder[3], document.palette.displayOrder[200]);
+    document.palette.ramps = {{"skin", {9, 3, 200}}, {"", {1, 255}}};
+    document.palette.variants = {
+        {"Winter \xE2\x9D\x84", {{7, Rgba8(9, 8, 7, 255)}, {255, Rgba8(1, 2, 3, 4)}}}, {"B", {}}};
 
     std::mt19937 random(11);
     document.models.resize(4);

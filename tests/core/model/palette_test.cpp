@@ -43,5 +43,57 @@ TEST(Palette, TheStandardColoursAreAllDifferentAndOpaque) {
     for (std::size_t slot = 0; slot < 256; ++slot) EXPECT_EQ(palette.displayOrder[slot], slot);
 }
 
+TEST(Palette, AVariantChangesItsColoursAndNothingElse) {
+    Palette palette = Palette::standard();
+    palette.names[9] = "coat";
+    palette.variants = {{"Red", {{9, Rgba8(200, 0, 0, 255)}}}, {"Plain", {}}};
+    const Palette red = palette.withVariant(0);
+    EXPECT_EQ(red.colours[9], Rgba8(200, 0, 0, 255));
+    Palette back = red;
+    back.colours[9] = palette.colours[9];
+    EXPECT_EQ(back, palette);
+    EXPECT_EQ(palette.withVariant(1), palette);
+    EXPECT_EQ(palette.variantNamed("Plain"), 1u);
+    EXPECT_FALSE(palette.variantNamed("plain"));
+}
+
+TEST(Palette, RampsAndVariantsAreChecked) {
+    const auto message = [](auto change) {
+        Palette palette = Palette::standard();
+        change(palette);
+        const Status status = validate(palette);
+        return status ? std::string() : status.error().message;
+    };
+    EXPECT_EQ(message([](Palette& p) { p.ramps = {{"", {1, 2}}, {"b", {3, 4, 5}}}; }), "");
+    EXPECT_EQ(message([](Palette& p) {
+                  p.ramps = {{"", {1}}};
+              }),
+              "palette.ramps[0] has fewer than two colours");
+    EXPECT_EQ(message([](Palette& p) {
+                  p.ramps = {{"", {1, 0}}};
+              }),
+              "palette.ramps[0] names index 0, which is empty");
+    EXPECT_EQ(message([](Palette& p) {
+                  p.ramps = {{"", {1, 2}}, {"", {3, 2}}};
+              }),
+              "palette.ramps[1] names index 2, which stands in a ramp already");
+    EXPECT_EQ(message([](Palette& p) {
+                  p.variants = {{"", {}}};
+              }),
+              "palette.variants[0] has no name");
+    EXPECT_EQ(message([](Palette& p) {
+                  p.variants = {{"a", {}}, {"a", {}}};
+              }),
+              "palette.variants[1]: there is a variant \"a\" already");
+    EXPECT_EQ(message([](Palette& p) {
+                  p.variants = {{"a", {{0, Rgba8(1)}}}};
+              }),
+              "palette.variants[0] gives index 0 a colour; it is empty");
+    EXPECT_NE(message([](Palette& p) {
+                  for (int i = 0; i < 65; ++i) p.variants.push_back({std::to_string(i), {}});
+              }).find("at most 64"),
+              std::string::npos);
+}
+
 }  // namespace
 }  // namespace voxprite
