@@ -1,7 +1,10 @@
 #include "app/editor/voxel_viewport.h"
 
+#include <array>
 #include <utility>
 
+#include "app/editor/backdrop.h"
+#include "app/editor/socket_markers.h"
 #include "app/editor/tools/guides.h"
 #include "app/editor/view_drawing.h"
 
@@ -23,6 +26,16 @@ const char* modeName(EditMode mode) {
     return "";
 }
 
+std::array<glm::dvec3, 8> boundsCorners(const IBox& bounds) {
+    std::array<glm::dvec3, 8> corners{};
+    for (std::size_t o = 0; o < corners.size(); ++o) {
+        corners[o] = worldFromVoxel({(o & 1) != 0 ? bounds.max.x : bounds.min.x,
+                                     (o & 2) != 0 ? bounds.max.y : bounds.min.y,
+                                     (o & 4) != 0 ? bounds.max.z : bounds.min.z});
+    }
+    return corners;
+}
+
 // What the hand holds, or what it can do next.
 std::string hintOf(const ToolSettings& settings, EditMode mode, bool busy) {
     if (busy) return "Enter to keep, Esc to drop";
@@ -31,6 +44,8 @@ std::string hintOf(const ToolSettings& settings, EditMode mode, bool busy) {
             return "Click a voxel for its colour";
         case ToolKind::anchor:
             return "Click a voxel for the anchor; Shift: its face";
+        case ToolKind::socket:
+            return "Click a voxel for a socket; Shift: its face. Drag one to move it";
         case ToolKind::laser:
             return "Laser";
         case ToolKind::stamp:
@@ -53,13 +68,7 @@ Result<VoxelViewport> VoxelViewport::create() {
 void VoxelViewport::frameModel(const Session& session) {
     const IBox& bounds = session.bounds();
     const IBox shown = bounds.empty() ? kEmptyShown : bounds;
-    std::vector<glm::dvec3> corners;
-    for (int o = 0; o < 8; ++o) {
-        corners.push_back(worldFromVoxel({(o & 1) != 0 ? shown.max.x : shown.min.x,
-                                          (o & 2) != 0 ? shown.max.y : shown.min.y,
-                                          (o & 4) != 0 ? shown.max.z : shown.min.z}));
-    }
-    camera_.frame(corners, 0.2, canvas_.sizePx());
+    camera_.frame(boundsCorners(shown), 0.2, canvas_.sizePx());
 }
 
 void VoxelViewport::show(Ui& ui, ImVec2 min, ImVec2 size, std::string& refusal) {
@@ -86,6 +95,7 @@ void VoxelViewport::show(Ui& ui, ImVec2 min, ImVec2 size, std::string& refusal) 
     }
     const ToolContext context{ui.session, ui.settings.tool, camera, hand, hovered_, ui.theme.scale};
     useTools(ui, context, refusal);
+    drawSocketsOverVoxels(ui, ViewDrawing(canvas_, camera));
     tools_.draw(context, ViewDrawing(canvas_, camera), ui.theme);
     canvas_.drawViewCube(ui, camera_);
     canvas_.caption(ui, "Edit", hintOf(ui.settings.tool, context.mode(), tools_.busy()));
@@ -107,29 +117,41 @@ bool VoxelViewport::render(const Session& session, const GpuOctree& octree,
     guides.symmetry = options.symmetry;
     guides.limited = options.limited;
     guides.limits = options.limits;
-    const Shown wanted{octree.revision(),
-                       session.modelRevision(),
-                       camera_,
-                       canvas_.sizePx(),
-                       settings.view.voxelEdges,
-                       settings.view.editGround,
-                       settings.window.theme,
-                       session.profile().light,
-                       session.bounds(),
-                       guides};
+    // A frame that does not fit is not shown; the frames that the artist edits are.
+    const auto ghosts = onion_.ghosts(session, settings.view.onionSkin && !settings.view.playing)
+                            .value_or(std::vector<OnionSkin::Ghost>());
+    Shown wanted{octree.revision(),
+                 session.modelRevision(),
+                 camera_,
+                 canvas_.sizePx(),
+                 settings.view,
+                 settings.window.theme,
+                 session.profile().light,
+                 session.bounds(),
+                 guides,
+                 {}};
+    for (const OnionSkin::Ghost& ghost : ghosts) wanted.ghosts.push_back(ghost.octree->revision());
     if (shown_ == wanted) return false;
     VoxelViewOptions look;
-    look.edges = wanted.edges;
-    look.ground = wanted.ground;
+    look.edges = wanted.view.voxelEdges;
+    look.ground = wanted.view.editGround;
+    look.occlusion = wanted.view.occlusion;
+    look.shadow = wanted.view.sunShadow;
     look.light = wanted.light;
-    if (wanted.theme == ThemeKind::light) {
-        look.backgroundTop = Rgba8(214, 217, 222, 255);
-        look.backgroundBottom = Rgba8(176, 180, 188, 255);
-    }
+    const BackdropColours behind = backdropColours(wanted.view.backdrop, wanted.theme);
+    look.backgroundTop = behind.top;
+    look.backgroundBottom = behind.bottom;
     const Camera camera = camera_.camera(wanted.sizePx);
-    view_.draw(canvas_.frame(), octree, session.shownPalette(), session.placedForEditing(),
-               camera, look);
-    const OverlayShapes shapes = guidesOf(guides, wanted.bounds, 1.0f);
+    view_.draw(canvas_.frame(), octree, session.shownPalette(), session.placedForEditing(), camera,
+               look);
+    for (const OnionSkin::Ghost& ghost : ghosts) {
+        view_.drawGhost(canvas_.frame(), *ghost.octree, session.shownPalette(),
+                        session.placedForEditing(), camera, look, ghost.tint);
+    }
+    OverlayShapes shapes = guidesOf(guides, wanted.bounds, 1.0f);
+    if (wanted.view.boundsBox && !wanted.bounds.empty()) {
+        shapes.addBox(boundsCorners(wanted.bounds), behind.ink, 1.5f);
+    }
     if (!shapes.lines.empty()) {
         overlay_.draw(canvas_.frame(), shapes, camera, OverlayDepth::faintBehind);
     }

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "app/editor/onion_skin.h"
 #include "app/editor/picking.h"
 #include "app/editor/tools/tool_box.h"
 #include "app/editor/view_canvas.h"
@@ -23,6 +24,7 @@ class VoxelViewport {
 
     [[nodiscard]] OrbitCamera& camera() { return camera_; }
     [[nodiscard]] CameraTurn& turn() { return turn_; }
+    [[nodiscard]] bool turns() const { return turn_.running(); }
     void frameModel(const Session& session);
     [[nodiscard]] const std::optional<Pick>& hovered() const { return hovered_; }
     // The tool in hand, for its options.
@@ -39,12 +41,12 @@ class VoxelViewport {
         std::uint64_t model = 0;
         OrbitCamera camera;
         glm::ivec2 sizePx{0};
-        bool edges = false;
-        bool ground = false;
+        ViewSettings view;
         ThemeKind theme = ThemeKind::dark;
         Light light;
         IBox bounds;
         ToolOptions guides;
+        std::vector<std::uint64_t> ghosts;  // revisions of their octrees
         bool operator==(const Shown&) const = default;
     };
 
@@ -54,6 +56,7 @@ class VoxelViewport {
     OrbitCamera camera_;
     CameraTurn turn_;
     ToolBox tools_;
+    OnionSkin onion_;
     std::optional<Pick> hovered_;
     std::optional<Shown> shown_;
 };

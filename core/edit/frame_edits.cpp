@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/edit/free_name.h"
 #include "core/edit/scene_tree.h"
 #include "core/model/entity_voxels.h"
 
@@ -171,7 +172,7 @@ Action moveFrame(const Document& document, int from, int to) {
 Action addClip(const Document& document, int first, int last) {
     return sceneAction("Add clip", document, [&](SceneEdit& edit) {
         Clip clip;
-        clip.name = scene::freeName("Clip", document.clips);
+        clip.name = freeName("Clip", document.clips);
         clip.first = first;
         clip.last = last;
         edit.after.clips.push_back(std::move(clip));

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "core/edit/free_name.h"
 #include "core/edit/make_action.h"
 #include "core/edit/scene_tree.h"
 #include "core/model/entity_voxels.h"
@@ -23,7 +24,7 @@ std::string nameOfCopy(const Document& document, const std::string& name) {
     const std::size_t space = name.find_last_not_of("0123456789");
     const bool numbered =
         space != std::string::npos && space + 1 < name.size() && name[space] == ' ';
-    return scene::freeName(numbered ? name.substr(0, space) : name, document.nodes);
+    return freeName(numbered ? name.substr(0, space) : name, document.nodes);
 }
 
 // Models that the edit adds in place of others, each once.

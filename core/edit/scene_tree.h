@@ -1,7 +1,6 @@
 // The tree of a scene being edited: what the scene edits are made of. Private to core/edit.
 #pragma once
 
-#include <algorithm>
 #include <limits>
 #include <span>
 #include <string>
@@ -27,16 +26,6 @@ template <class Edit>
     part.modelsBefore = document.models.size();
     edit(part);
     return makeAction(std::move(label), std::move(part));
-}
-
-// "Hand", or the first of "Hand 2", "Hand 3" ... that none of `items` is called.
-template <class Item>
-[[nodiscard]] std::string freeName(const std::string& stem, const std::vector<Item>& items) {
-    std::string name = stem;
-    for (int number = 2; std::ranges::find(items, name, &Item::name) != items.end(); ++number) {
-        name = stem + " " + std::to_string(number);
-    }
-    return name;
 }
 
 // Which nodes are `tops` or lie under them.

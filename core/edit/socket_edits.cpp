@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/edit/free_name.h"
 #include "core/edit/make_action.h"
-#include "core/edit/scene_tree.h"
 #include "core/model/entity_voxels.h"
 
 namespace voxprite {
@@ -30,7 +30,7 @@ void setKey(Socket& socket, int frame, glm::dvec3 position) {
 Action addSocket(const Document& document, glm::dvec3 positionVoxels) {
     return socketsAction("Add socket", document, [&](std::vector<Socket>& sockets) {
         Socket socket;
-        socket.name = scene::freeName("Socket", sockets);
+        socket.name = freeName("Socket", sockets);
         socket.positions[0].positionVoxels = positionVoxels;
         sockets.push_back(std::move(socket));
     });

@@ -1,20 +1,59 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
+
 #include "app/editor/command_context.h"
 #include "app/editor/commands/tables.h"
 #include "app/editor/icons.h"
+#include "app/editor/object_selection.h"
+#include "core/edit/free_name.h"
 #include "core/edit/scene_edits.h"
 
 namespace voxprite::editor {
 namespace {
 
-bool hasActiveObject(const CommandContext& context) {
-    return context.session.activeNode() > 0;
+const SceneNode& chosenNode(const CommandContext& c) {
+    const auto index = static_cast<std::size_t>(c.objects.node(c.session));
+    return c.session.document().nodes[index];
 }
 
-void activateNewest(CommandContext& context) {
-    context.session.setActiveNode(static_cast<int>(context.session.document().nodes.size()) - 1);
+bool hasChosen(const CommandContext& c) {
+    return c.objects.node(c.session) > 0;
+}
+bool hasSeveral(const CommandContext& c) {
+    return c.objects.nodes(c.session).size() > 1 || (hasChosen(c) && chosenNode(c).isGroup());
+}
+bool hasGroup(const CommandContext& c) {
+    return hasChosen(c) && chosenNode(c).isGroup();
+}
+
+// The node that an edit has put last becomes the chosen one.
+void performAndChooseLast(CommandContext& c, Action action) {
+    c.perform(std::move(action));
+    c.objects.choose(c.session, static_cast<int>(c.session.document().nodes.size()) - 1);
+}
+
+void duplicate(CommandContext& c, Copy copy) {
+    const auto first = static_cast<int>(c.session.document().nodes.size());
+    c.perform(duplicateNode(c.session.document(), c.objects.node(c.session), copy));
+    if (first < static_cast<int>(c.session.document().nodes.size())) {
+        c.objects.choose(c.session, first);
+    }
+}
+
+std::string nameFor(const CommandContext& c, const char* stem) {
+    return freeName(stem, c.session.document().nodes);
+}
+
+template <int axis>
+void turn(CommandContext& c) {
+    c.perform(
+        turnNode(c.session.document(), c.objects.node(c.session), c.session.frame(), axis, 1));
+}
+template <int axis>
+void mirror(CommandContext& c) {
+    c.perform(mirrorNode(c.session.document(), c.objects.node(c.session), c.session.frame(), axis));
 }
 
 }  // namespace
@@ -24,41 +63,173 @@ std::span<const Command> objectCommands() {
     static constexpr std::array kCommands{
         Command{.id = addObject,
                 .tag = "add_object",
-                .menu = MenuId::edit,
+                .menu = MenuId::object,
                 .name = "Add object",
                 .icon = icon::kPlus,
-                .separator = true,
                 .run =
                     [](CommandContext& c) {
-                        const Document& document = c.session.document();
-                        const auto number = std::to_string(document.nodes.size());
-                        c.perform(voxprite::addObject(document, "Object " + number));
-                        activateNewest(c);
+                        performAndChooseLast(
+                            c, voxprite::addObject(c.session.document(), nameFor(c, "Object")));
                     }},
         Command{.id = duplicateObject,
                 .tag = "duplicate_object",
-                .menu = MenuId::edit,
+                .menu = MenuId::object,
                 .name = "Duplicate object",
                 .icon = icon::kCopy,
                 .chords = {controlShift(GLFW_KEY_D)},
+                .run = [](CommandContext& c) { duplicate(c, Copy::own); },
+                .enabled = hasChosen},
+        Command{.id = duplicateLinked,
+                .tag = "duplicate_linked",
+                .menu = MenuId::object,
+                .name = "Duplicate linked",
+                .icon = icon::kLink,
+                .run = [](CommandContext& c) { duplicate(c, Copy::linked); },
+                .enabled = hasChosen},
+        Command{.id = makeSingleUser,
+                .tag = "make_single_user",
+                .menu = MenuId::object,
+                .name = "Make single user",
+                .icon = icon::kUnlink,
                 .run =
                     [](CommandContext& c) {
-                        c.perform(
-                            duplicateNode(c.session.document(), c.session.activeNode(), Copy::own));
-                        activateNewest(c);
+                        c.perform(voxprite::makeSingleUser(c.session.document(),
+                                                           c.objects.node(c.session)));
                     },
-                .enabled = hasActiveObject},
+                .enabled =
+                    [](const CommandContext& c) {
+                        return hasChosen(c) &&
+                               sharesModels(c.session.document(), c.objects.node(c.session));
+                    }},
+        Command{.id = renameObject,
+                .tag = "rename_object",
+                .menu = MenuId::object,
+                .name = "Rename object",
+                .icon = icon::kRename,
+                .chords = {key(GLFW_KEY_F2)},
+                .run =
+                    [](CommandContext& c) {
+                        c.settings.window.dockTab = DockTab::objects;
+                        c.objects.rename(c.objects.node(c.session));
+                    },
+                .enabled = hasChosen},
+        Command{.id = groupObjects,
+                .tag = "group_objects",
+                .menu = MenuId::object,
+                .name = "Group",
+                .icon = icon::kGroup,
+                .chords = {control(GLFW_KEY_G)},
+                .separator = true,
+                .run =
+                    [](CommandContext& c) {
+                        const std::vector<int> nodes = c.objects.nodes(c.session);
+                        performAndChooseLast(
+                            c, groupNodes(c.session.document(), nodes, nameFor(c, "Group")));
+                    },
+                .enabled = hasChosen},
+        Command{.id = ungroupObjects,
+                .tag = "ungroup_objects",
+                .menu = MenuId::object,
+                .name = "Ungroup",
+                .icon = icon::kUngroup,
+                .chords = {controlShift(GLFW_KEY_G)},
+                .run =
+                    [](CommandContext& c) {
+                        c.perform(ungroup(c.session.document(), c.objects.node(c.session)));
+                    },
+                .enabled = hasGroup},
+        Command{.id = mergeObjects,
+                .tag = "merge_objects",
+                .menu = MenuId::object,
+                .name = "Merge",
+                .icon = icon::kMerge,
+                .chords = {control(GLFW_KEY_M)},
+                .run =
+                    [](CommandContext& c) {
+                        const std::vector<int> nodes = c.objects.nodes(c.session);
+                        performAndChooseLast(
+                            c, mergeNodes(c.session.document(), nodes, chosenNode(c).name));
+                    },
+                .enabled = hasSeveral},
         Command{.id = deleteObject,
                 .tag = "delete_object",
-                .menu = MenuId::edit,
+                .menu = MenuId::object,
                 .name = "Delete object",
                 .icon = icon::kDelete,
                 .run =
                     [](CommandContext& c) {
-                        const std::array nodes{c.session.activeNode()};
-                        c.perform(deleteNodes(c.session.document(), nodes));
+                        c.perform(deleteNodes(c.session.document(), c.objects.nodes(c.session)));
                     },
-                .enabled = hasActiveObject},
+                .enabled = hasChosen},
+        Command{.id = hideObject,
+                .tag = "hide_object",
+                .menu = MenuId::object,
+                .name = "Hidden",
+                .icon = icon::kHidden,
+                .chords = {key(GLFW_KEY_H)},
+                .separator = true,
+                .run =
+                    [](CommandContext& c) {
+                        c.perform(setHidden(c.session.document(), c.objects.node(c.session),
+                                            !chosenNode(c).hidden));
+                    },
+                .enabled = hasChosen,
+                .on = [](const CommandContext& c) { return hasChosen(c) && chosenNode(c).hidden; }},
+        Command{.id = lockObject,
+                .tag = "lock_object",
+                .menu = MenuId::object,
+                .name = "Locked",
+                .icon = icon::kLocked,
+                .run =
+                    [](CommandContext& c) {
+                        c.perform(setLocked(c.session.document(), c.objects.node(c.session),
+                                            !chosenNode(c).locked));
+                    },
+                .enabled = hasChosen,
+                .on = [](const CommandContext& c) { return hasChosen(c) && chosenNode(c).locked; }},
+        Command{.id = turnObjectX,
+                .tag = "turn_object_x",
+                .menu = MenuId::object,
+                .name = "Turn object about X",
+                .icon = icon::kTurn,
+                .separator = true,
+                .run = turn<0>,
+                .enabled = hasChosen},
+        Command{.id = turnObjectY,
+                .tag = "turn_object_y",
+                .menu = MenuId::object,
+                .name = "Turn object about Y",
+                .icon = icon::kTurn,
+                .run = turn<1>,
+                .enabled = hasChosen},
+        Command{.id = turnObjectZ,
+                .tag = "turn_object_z",
+                .menu = MenuId::object,
+                .name = "Turn object about Z",
+                .icon = icon::kTurn,
+                .run = turn<2>,
+                .enabled = hasChosen},
+        Command{.id = mirrorObjectX,
+                .tag = "mirror_object_x",
+                .menu = MenuId::object,
+                .name = "Mirror object in X",
+                .icon = icon::kMirrorX,
+                .run = mirror<0>,
+                .enabled = hasChosen},
+        Command{.id = mirrorObjectY,
+                .tag = "mirror_object_y",
+                .menu = MenuId::object,
+                .name = "Mirror object in Y",
+                .icon = icon::kMirrorX,
+                .run = mirror<1>,
+                .enabled = hasChosen},
+        Command{.id = mirrorObjectZ,
+                .tag = "mirror_object_z",
+                .menu = MenuId::object,
+                .name = "Mirror object in Z",
+                .icon = icon::kMirrorZ,
+                .run = mirror<2>,
+                .enabled = hasChosen},
     };
     return kCommands;
 }

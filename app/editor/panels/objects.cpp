@@ -1,170 +1,125 @@
-// The scene graph as a list: what is shown, what is locked, what the tools edit; and the frame.
-#include <imgui.h>
-#include <imgui_stdlib.h>
+// What the document is made of: the tree of objects and groups, the sockets below it, and the
+// placement of what is chosen.
+#include "app/editor/panels/objects.h"
 
-#include <algorithm>
+#include <imgui.h>
+
+#include <array>
 #include <cmath>
 
+#include "app/editor/command_context.h"
 #include "app/editor/icons.h"
+#include "app/editor/object_selection.h"
 #include "app/editor/panels/panels.h"
 #include "app/editor/widgets.h"
 #include "core/edit/scene_edits.h"
+#include "core/edit/socket_edits.h"
 
 namespace voxprite::editor {
 namespace {
 
-struct Row {
-    int node;
-    int depth;
-};
-
-// The tree from top to bottom, without the root.
-std::vector<Row> rowsOf(const Document& document) {
-    std::vector<Row> rows;
-    std::vector<Row> open{{0, -1}};
-    while (!open.empty()) {
-        const Row next = open.back();
-        open.pop_back();
-        if (next.node != 0) rows.push_back(next);
-        const auto& children = document.nodes[static_cast<std::size_t>(next.node)].children;
-        for (auto child = children.rbegin(); child != children.rend(); ++child) {
-            open.push_back({*child, next.depth + 1});
-        }
-    }
-    return rows;
-}
-
-std::string displayName(const SceneNode& node, int index) {
-    if (!node.name.empty()) return node.name;
-    return (node.isGroup() ? "Group " : "Object ") + std::to_string(index);
-}
-
-void drawRow(Ui& ui, const Row& row) {
+void drawToolbar(Ui& ui) {
+    constexpr std::array kFirst{CommandId::addObject, CommandId::duplicateObject,
+                                CommandId::duplicateLinked, CommandId::makeSingleUser};
+    constexpr std::array kSecond{CommandId::groupObjects, CommandId::ungroupObjects,
+                                 CommandId::mergeObjects};
     const Theme& theme = ui.theme;
-    const Document& document = ui.session.document();
-    const SceneNode& node = document.nodes[static_cast<std::size_t>(row.node)];
-    const bool active = row.node == ui.session.activeNode();
-    const float height = theme.px(24);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x;
-
-    ImGui::PushID(row.node);
-    if (ImGui::InvisibleButton("row", {width, height}) && !node.isGroup()) {
-        ui.session.setActiveNode(row.node);
-    }
-    const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-    ui.probe.markItem("object." + std::to_string(row.node));
-    ImGui::SetItemAllowOverlap();
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    if (active || hovered) {
-        draw.AddRectFilled(corner, {corner.x + width, corner.y + height},
-                           active ? theme.accentSoft : theme.fieldHovered, theme.px(4));
-    }
-    const float textY = corner.y + std::floor((height - ImGui::GetFontSize()) * 0.5f);
-    const float indent = theme.px(8) + theme.px(12) * static_cast<float>(row.depth);
-    const ImU32 colour = node.hidden ? theme.textFaint : active ? theme.accent : theme.text;
-    const ImVec4 clip(corner.x, corner.y, corner.x + width - theme.px(56), corner.y + height);
-    draw.AddText(node.isGroup() ? theme.fonts.bold : theme.fonts.text, theme.fonts.text->FontSize,
-                 {corner.x + indent, textY}, colour, displayName(node, row.node).c_str(), nullptr,
-                 0.0f, &clip);
-    ImGui::SetCursorScreenPos({corner.x + width - 2 * height, corner.y});
-    ImGui::PushStyleColor(ImGuiCol_Text, node.locked ? theme.accent : theme.textFaint);
-    if (iconButton(ui, "lock", node.locked ? icon::kLocked : icon::kUnlocked, Lit::off, height,
-                   node.locked ? "Unlock" : "Lock: tools leave it alone")) {
-        ui.edits.push(setLocked(document, row.node, !node.locked));
-    }
-    ImGui::PopStyleColor();
-    ImGui::SetCursorScreenPos({corner.x + width - height, corner.y});
-    ImGui::PushStyleColor(ImGuiCol_Text, node.hidden ? theme.textFaint : theme.textDim);
-    if (iconButton(ui, "eye", node.hidden ? icon::kHidden : icon::kVisible, Lit::off, height,
-                   node.hidden ? "Show" : "Hide")) {
-        ui.edits.push(setHidden(document, row.node, !node.hidden));
-    }
-    ImGui::PopStyleColor();
-    ImGui::PopID();
-    ImGui::SetCursorScreenPos({corner.x, corner.y + height});
+    const float square = theme.px(24), gap = theme.px(2);
+    const auto button = [&](CommandId id, float after) {
+        ImGui::BeginDisabled(!isEnabled(id, ui.context));
+        commandButton(ui, id, Lit::off, square);
+        ImGui::EndDisabled();
+        ImGui::SameLine(0.0f, after);
+    };
+    for (const CommandId id : kFirst) button(id, id == kFirst.back() ? theme.px(10) : gap);
+    for (const CommandId id : kSecond) button(id, id == kSecond.back() ? theme.px(10) : gap);
+    button(CommandId::addFrame, 0.0f);
+    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - square);
+    button(CommandId::deleteObject, 0.0f);
+    ImGui::NewLine();
 }
 
-void drawActiveObject(Ui& ui) {
-    const int active = ui.session.activeNode();
-    if (active < 0) return;
-    const Document& document = ui.session.document();
-    const SceneNode& node = document.nodes[static_cast<std::size_t>(active)];
-    rowLabel(ui, "Name");
-    std::string name = node.name;
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-    ImGui::InputTextWithHint("##name", displayName(node, active).c_str(), &name,
-                             ImGuiInputTextFlags_AutoSelectAll);
-    ui.edits.watchItem(ui.session);
-    if (name != node.name) {
-        Action action = rename(document, active, name);
-        action.mergeKey = ui.edits.key();
-        ui.edits.push(std::move(action));
+// A row of small buttons, one an axis.
+void axisButtons(Ui& ui, std::array<CommandId, 3> commands) {
+    constexpr std::array<const char*, 3> kAxes{"X", "Y", "Z"};
+    const Theme& theme = ui.theme;
+    const float gap = theme.px(4), height = theme.px(24);
+    const float width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3.0f);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (axis > 0) ImGui::SameLine(0.0f, gap);
+        const Command& command = commandOf(commands[axis]);
+        ImGui::PushID(command.tag);
+        const std::string label = std::string(command.icon) + " " + kAxes[axis];
+        if (ImGui::Button(label.c_str(), {width, height})) ui.commands.ask(command.id);
+        ui.probe.markItem(std::string("command.") + command.tag);
+        tooltip(ui, nameWithKey(command.id, ui.settings.input.keys).c_str());
+        ImGui::PopID();
     }
-    const glm::ivec3 before = node.placements.front().placement.translation;
+}
+
+void drawPlacement(Ui& ui, int node) {
+    const Document& document = ui.session.document();
+    const auto& keys = document.nodes[static_cast<std::size_t>(node)].placements;
+    const glm::ivec3 before = keys.front().placement.translation;
     glm::dvec3 place(before);
     if (vectorRow(ui, "object.position", "Position", place, {-32768, 32767, 0.1, "%.0f"},
                   "In voxels, in the space of its group")) {
-        const glm::ivec3 after(static_cast<int>(std::round(place.x)),
-                               static_cast<int>(std::round(place.y)),
-                               static_cast<int>(std::round(place.z)));
-        if (after != before) {
-            ui.edits.push(moveObject(document, active, after, ui.edits.key()));
-        }
+        const glm::ivec3 after(glm::round(place));
+        if (after != before) ui.edits.push(moveObject(document, node, after, ui.edits.key()));
     }
+    rowLabel(ui, "Turn", "By 90 degrees around its middle");
+    axisButtons(ui, {CommandId::turnObjectX, CommandId::turnObjectY, CommandId::turnObjectZ});
+    rowLabel(ui, "Mirror", "In place");
+    axisButtons(ui, {CommandId::mirrorObjectX, CommandId::mirrorObjectY, CommandId::mirrorObjectZ});
 }
 
-void drawFrames(Ui& ui) {
+void drawSocket(Ui& ui, int index) {
+    const Document& document = ui.session.document();
+    const int frame = ui.session.frame();
+    const glm::dvec3 before = positionAt(document.sockets[static_cast<std::size_t>(index)], frame);
+    glm::dvec3 place = before;
+    if (vectorRow(ui, "socket.position", "Position", place, {-1e6, 1e6, 0.1, "%.1f"},
+                  "In voxels, in the space of the entity") &&
+        place != before) {
+        const SocketReach reach =
+            ui.settings.tool.socketsInThisFrame ? SocketReach::thisFrame : SocketReach::allFrames;
+        ui.edits.push(moveSocket(document, index, frame, place, reach, ui.edits.key()));
+    }
     if (ui.session.frames() < 2) return;
-    const Theme& theme = ui.theme;
-    bool& playing = ui.settings.view.playing;
-    rowLabel(ui, "Frame");
-    const float square = theme.px(24);
-    if (iconButton(ui, "frame.play", playing ? icon::kPause : icon::kPlay,
-                   playing ? Lit::icon : Lit::off, square, playing ? "Pause" : "Play")) {
-        playing = !playing;
-    }
-    ImGui::SameLine(0.0f, theme.px(4));
-    int frame = ui.session.frame() + 1;
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-    const std::string format = "%d of " + std::to_string(ui.session.frames());
-    if (ImGui::SliderInt("##frame", &frame, 1, ui.session.frames(), format.c_str(),
-                         ImGuiSliderFlags_AlwaysClamp)) {
-        playing = false;
-        // Every frame of an open document fits: they were baked with the same bounds.
-        static_cast<void>(ui.session.setFrame(frame - 1));
-    }
-    ui.probe.markItem("frame.slider");
+    static_cast<void>(switchRow(ui, "socket.thisFrame", "This frame only",
+                                ui.settings.tool.socketsInThisFrame,
+                                "Moving it leaves the other frames as they are"));
 }
 
 }  // namespace
 
 void drawObjects(Ui& ui) {
     const Theme& theme = ui.theme;
-    const float square = theme.px(24);
-    for (const CommandId id :
-         {CommandId::addObject, CommandId::duplicateObject, CommandId::deleteObject}) {
-        ImGui::BeginDisabled(!isEnabled(id, ui.context));
-        commandButton(ui, id, Lit::off, square);
-        ImGui::EndDisabled();
-        ImGui::SameLine(0.0f, theme.px(4));
+    drawToolbar(ui);
+    const std::optional<int> socket = ui.context.objects.socket();
+    const int node = ui.context.objects.node(ui.session);
+    int rows = 0;
+    if (socket) {
+        rows = ui.session.frames() > 1 ? 2 : 1;
+    } else if (node > 0) {
+        rows = 3;
     }
-    ImGui::NewLine();
-    drawFrames(ui);
-    drawActiveObject(ui);
-
+    const float rowHeight = theme.px(24) + ImGui::GetStyle().ItemSpacing.y;
+    const float list = ImGui::GetContentRegionAvail().y - rowHeight * static_cast<float>(rows) -
+                       (rows > 0 ? theme.px(4) : 0.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    ImGui::BeginChild("list");
-    const std::vector<Row> rows = rowsOf(ui.session.document());
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(rows.size()), theme.px(24));
-    while (clipper.Step()) {
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            drawRow(ui, rows[static_cast<std::size_t>(i)]);
-        }
-    }
+    ImGui::BeginChild("list", {0, std::max(list, theme.px(48))});
+    drawObjectTree(ui);
+    drawSocketList(ui);
     ImGui::EndChild();
     ImGui::PopStyleVar();
+    if (rows == 0) return;
+    ImGui::Dummy({0, theme.px(4) - ImGui::GetStyle().ItemSpacing.y});
+    if (socket) {
+        drawSocket(ui, *socket);
+    } else {
+        drawPlacement(ui, node);
+    }
 }
 
 }  // namespace voxprite::editor

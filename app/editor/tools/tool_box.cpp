@@ -8,6 +8,7 @@
 #include "app/editor/tools/laser_tool.h"
 #include "app/editor/tools/pick_tool.h"
 #include "app/editor/tools/shape_tool.h"
+#include "app/editor/tools/socket_tool.h"
 #include "app/editor/tools/stamp_tool.h"
 
 namespace voxprite::editor {
@@ -38,10 +39,11 @@ std::unique_ptr<Tool> makeTool(ToolKind kind) {
         case ToolKind::pickColour:
         case ToolKind::anchor:
             return std::make_unique<PickTool>();
+        case ToolKind::socket:
+            return std::make_unique<SocketTool>();
         case ToolKind::selectBox:
         case ToolKind::selectRectangle:
         case ToolKind::wand:
-        case ToolKind::socket:
             return nullptr;
     }
     return nullptr;
