@@ -20,7 +20,7 @@ struct VoxelClip {
 
     // In the model they are to go to. O(blocks).
     [[nodiscard]] IBox bounds() const { return modelFromClip.applyToBox(voxels.bounds()); }
-    // With the placement carried out: model space.
+    // With the placement carried out: model space. What lies beyond the range is left out.
     [[nodiscard]] VoxelGrid placed() const;
     [[nodiscard]] VoxelSet footprint() const;
 };

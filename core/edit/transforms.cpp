@@ -6,6 +6,8 @@ namespace voxprite {
 
 namespace {
 
+const IBox kRange{glm::ivec3(-kMaxCoordinate), glm::ivec3(kMaxCoordinate + 1)};
+
 // One step of one axis, as `rotation` turns it.
 struct Steps {
     glm::ivec3 x, y, z;
@@ -116,12 +118,13 @@ VoxelGrid transformed(const VoxelGrid& voxels, const Placement& placement) {
     const Steps step(placement.rotation);
     voxels.forEachBlock([&](const VoxelBlock& block) {
         if (block.voxels == nullptr) {
-            result.fill(placement.applyToBox(boxOf(block)), block.uniformValue);
+            result.fill(placement.applyToBox(boxOf(block)).intersected(kRange), block.uniformValue);
             return;
         }
         const glm::ivec3 first = placement.applyToVoxel(block.origin);
         forEachOfLeaf(block, [&](glm::ivec3 v, std::uint8_t value) {
-            result.set(first + step.x * v.x + step.y * v.y + step.z * v.z, value);
+            const glm::ivec3 to = first + step.x * v.x + step.y * v.y + step.z * v.z;
+            if (isInVoxelRange(to)) result.set(to, value);
         });
     });
     return result;

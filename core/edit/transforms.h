@@ -30,6 +30,7 @@ void moveBy(VoxelClip& clip, glm::ivec3 byVoxels);
 // factors below 1, beyond the range of coordinates and beyond kMaxPatchVoxels.
 [[nodiscard]] Status scale(VoxelClip& clip, int factor);
 
+// What would lie beyond the range of coordinates is left out.
 [[nodiscard]] VoxelGrid transformed(const VoxelGrid& voxels, const Placement& placement);
 [[nodiscard]] VoxelSet transformed(const VoxelSet& set, const Placement& placement);
 

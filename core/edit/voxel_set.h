@@ -30,6 +30,7 @@ class VoxelSet {
     [[nodiscard]] const VoxelGrid& grid() const { return members_; }
 
     void insert(glm::ivec3 v);
+    // Costs an entry for every 512 voxels cubed, and the rim.
     void insert(const IBox& box);
     void erase(glm::ivec3 v);
     // Of the cube of 8 at `origin`, a multiple of 8: those voxels whose byte is not 0, in the order

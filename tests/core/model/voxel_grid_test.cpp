@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <set>
 
@@ -240,6 +242,51 @@ TEST(VoxelGrid, TheOrderOfVisitsDependsOnTheVoxelsAlone) {
     const Visits visits = visitsOf(filled);
     EXPECT_EQ(visits, visitsOf(drawn));
     EXPECT_EQ(visits.size(), filled.solidCount());
+}
+
+TEST(VoxelGrid, WritesAndReadsWholeBlocks) {
+    Random random(19);
+    VoxelGrid grid;
+    Reference reference;
+    grid.fill({{0, 0, 0}, {64, 64, 64}}, 7);  // one tile, which the blocks divide
+    reference.fill({{0, 0, 0}, {64, 64, 64}}, 7);
+    std::array<std::uint8_t, 512> values;
+    for (int round = 0; round < 40; ++round) {
+        const glm::ivec3 origin = random.voxel(-3, 3) * 8;
+        const bool empty = round % 5 == 0;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            values[i] = empty ? 0 : static_cast<std::uint8_t>(random.between(0, 3));
+            reference.set(origin + glm::ivec3(i >> 6, (i >> 3) & 7, i & 7), values[i]);
+        }
+        grid.setBlock(origin, values.data());
+        const VoxelBlock block = grid.blockAt(origin + 5);
+        if (block.voxels != nullptr) {
+            EXPECT_EQ(block.origin, origin);
+            EXPECT_TRUE(std::equal(values.begin(), values.end(), block.voxels));
+        } else {
+            EXPECT_TRUE(empty);
+            EXPECT_EQ(block.uniformValue, 0);
+        }
+    }
+    expectSame(grid, reference);
+}
+
+TEST(VoxelGrid, KnowsTheBlockOfEveryPosition) {
+    VoxelGrid grid;
+    grid.fill({{0, 0, 0}, {64, 64, 64}}, 7);
+    grid.set({-1, -1, -1}, 3);
+    const auto expectBlock = [&](glm::ivec3 v, glm::ivec3 origin, int edge, int value) {
+        const VoxelBlock block = grid.blockAt(v);
+        EXPECT_EQ(block.origin, origin);
+        EXPECT_EQ(block.edgeVoxels, edge);
+        EXPECT_EQ(block.uniformValue, value);
+        EXPECT_EQ(block.voxels == nullptr, edge != 8 || value != 0 || v.x >= 0);
+    };
+    expectBlock({5, 60, 33}, {0, 0, 0}, 64, 7);
+    expectBlock({70, 5, 5}, {64, 0, 0}, 64, 0);
+    expectBlock({-3, -3, -3}, {-8, -8, -8}, 8, 0);
+    expectBlock({5000, 0, 0}, {4608, 0, 0}, 512, 0);
+    EXPECT_EQ(grid.cubeCount(), 8u * 8 * 8 + 1);
 }
 
 }  // namespace
