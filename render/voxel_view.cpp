@@ -14,6 +14,9 @@ namespace voxprite {
 
 namespace {
 
+// How much of its light a face loses that the sun does not reach.
+constexpr float kShadowStrength = 0.42f;
+
 struct VoxelViewBlock {
     std::array<glm::vec4, 8> box_corners{};
     std::array<glm::vec4, 3> voxel_ray_origin{};
@@ -36,8 +39,9 @@ struct VoxelViewBlock {
     std::int32_t occlusion_shown = 1;
     std::array<float, 2> padding{};
     glm::vec4 ghost_tint{0.0f};
+    glm::vec4 sun{0.0f};
 };
-static_assert(sizeof(VoxelViewBlock) == 432);
+static_assert(sizeof(VoxelViewBlock) == 448);
 
 // Voxel coordinates from the middle of the octree's root cube, which shaders compute in.
 struct RootSpace {
@@ -133,7 +137,10 @@ void VoxelView::Impl::fillLook(VoxelViewBlock& block, const RootSpace& space,
     }
     block.background_top = toVec4(options.backgroundTop);
     block.background_bottom = toVec4(options.backgroundBottom);
-    block.grid_colour = glm::vec4(0.72f, 0.76f, 0.84f, 0.30f);
+    const bool bright = options.backgroundBottom.x + options.backgroundBottom.y > 300;
+    block.grid_colour =
+        bright ? glm::vec4(0.28f, 0.31f, 0.38f, 0.30f) : glm::vec4(0.72f, 0.76f, 0.84f, 0.30f);
+    if (options.shadow && octree.texture() != 0) block.sun = glm::vec4(toward, kShadowStrength);
     block.edges_shown = options.edges ? 1 : 0;
     block.occlusion_shown = options.occlusion ? 1 : 0;
     const glm::dvec3 low = -space.voxelOfMiddle;
@@ -175,7 +182,10 @@ void VoxelView::Impl::setView(const GpuOctree& octree, const PlacedEntity& place
     fillRays(block, space, camera);
     fillLook(block, space, octree, options);
     block.ghost_tint = ghostTint;
+    if (ghostTint.w > 0.0f) block.sun = glm::vec4(0.0f);  // a ghost has no shadow
     viewBlock.set(BlockBinding::voxelView, block);
+    octreeBlock.set(BlockBinding::octree, octree.block());
+    if (octree.texture() != 0) bindTexture(TextureUnit::svo, octree.texture());
     glBindVertexArray(nothing.id());
 }
 
@@ -183,9 +193,7 @@ void VoxelView::Impl::drawVoxels(const GpuOctree& octree, const Palette& colours
                                  const RootSpace& space, const VoxelViewOptions& options,
                                  const gl::DrawState& state) {
     if (octree.texture() == 0) return;
-    octreeBlock.set(BlockBinding::octree, octree.block());
     setPalette(colours, space, options);
-    bindTexture(TextureUnit::svo, octree.texture());
     bindTexture(TextureUnit::palette, palette.texture());
     gl::apply(state);
     gl::useProgram(voxels);

@@ -19,6 +19,7 @@ struct VoxelViewOptions {
     bool edges = true;      // darkened voxel edges when they are wide enough to see
     bool occlusion = true;  // soft shade in the corners between voxels
     bool ground = true;     // a soft grid plane under the model: cells of 1 and 8 voxels
+    bool shadow = false;    // that of the light, on voxels and on the plane under the model
     Light light;
     // The sprite's own light instead of a softer one, in the same integers: each face is exactly
     // the colour that a sprite gives it (edges and occlusion apart).

@@ -1,6 +1,9 @@
-// Behind the voxels: a soft gradient, and a grid on the plane under the model.
+// Behind the voxels: a soft gradient, and on the plane under the model a grid and its shadow.
 
+#include "shared/octree_block.glsl"
+#include "shared/octree.glsl"
 #include "shared/voxel_view.glsl"
+#include "shared/voxel_walk.glsl"
 #include "shared/grid.glsl"
 
 layout(location = 0) out vec4 colour;
@@ -12,7 +15,7 @@ void main() {
     float noise = fract(52.9829189 * fract(dot(screen, vec2(0.06711056, 0.00583715)))) - 0.5;
     vec4 background = mix(background_bottom, background_top, smoothstep(0.0, 1.0, height));
     colour = vec4(background.rgb + noise / 255.0, 1.0);
-    if (grid_shown == 0) return;
+    if (grid_shown == 0 && sun.w == 0.0) return;
 
     vec3 origin = voxelRayOrigin(screen);
     vec3 direction = voxelRayDirection(screen);
@@ -27,6 +30,13 @@ void main() {
     float coarse = gridCoverage(position, 8.0, 0.06, footprint);
     // Seen from below the plane must not stand before the model.
     float strength = origin.z + direction.z * near_metres > grid_height ? 1.0 : 0.35;
+    if (sun.w > 0.0 && sun.z > 0.0) {
+        Cursor cursor;
+        if (castRay(vec3(hit, grid_height), sun.xyz, 0.0, cursor).material != 0u) {
+            colour.rgb *= 1.0 - 0.6 * sun.w * strength;
+        }
+    }
+    if (grid_shown == 0) return;
     colour.rgb = mix(colour.rgb, grid_colour.rgb,
                      grid_colour.a * strength * fade * max(fine, coarse));
 }

@@ -1,69 +1,14 @@
-// A perspective (or parallel) ray through the octree, in floating point.
-//
-// The walk keeps an integer cell and takes every time of crossing anew from the face's position, so
-// that errors do not grow; where it leaves a node its cell is clamped to that node. So a ray cannot
-// slip between two cells (Amanatides & Woo 1987).
+// The voxels, lit and shaded where a ray of the eye meets them.
 
 #include "shared/octree_block.glsl"
 #include "shared/octree.glsl"
 #include "shared/voxel_view.glsl"
+#include "shared/voxel_walk.glsl"
 
 // Column = material, row = face: +x, +y, +z, -x, -y, -z.
 layout(binding = 1) uniform sampler2D palette_texture;
 
 layout(location = 0) out vec4 colour;
-
-struct Hit {
-    uint material;
-    int axis;
-    float t;
-    ivec3 cell;  // tree coordinates
-};
-
-// Directions run upwards on every axis, mirrored as in the lattice caster.
-Hit castRay(vec3 origin, vec3 direction, out Cursor cursor) {
-    startAtRoot(cursor);
-    int edge = 1 << int(svo_max_depth);
-    int middle = edge >> 1;
-    bvec3 mirrored = lessThan(direction, vec3(0.0));
-    ivec3 bits = ivec3(mirrored) * (edge - 1);
-    ivec3 low = mix(view_box_low, edge - view_box_high, mirrored);
-    ivec3 high = mix(view_box_high, edge - view_box_low, mirrored);
-    origin = mix(origin, -origin, mirrored);
-    direction = max(abs(direction), vec3(1e-12));
-    vec3 inverse = 1.0 / direction;
-
-    Hit hit = Hit(0u, 0, near_metres, ivec3(0));
-    vec3 enter = (vec3(low - middle) - origin) * inverse;
-    vec3 leave = (vec3(high - middle) - origin) * inverse;
-    float t = max(max(enter.x, enter.y), enter.z);
-    if (t > min(min(leave.x, leave.y), leave.z)) return hit;
-    if (t > near_metres) {
-        hit.axis = t == enter.x ? 0 : t == enter.y ? 1 : 2;
-        hit.t = t;
-    } else {
-        hit.axis = direction.x >= max(direction.y, direction.z) ? 0
-                   : direction.y >= direction.z                 ? 1
-                                                                : 2;
-    }
-    ivec3 cell = clamp(ivec3(floor(origin + direction * hit.t)) + middle, low, high - 1);
-
-    do {
-        Region region = regionAt(cell ^ bits, cursor);
-        if (region.material != 0u) {
-            hit.material = region.material;
-            hit.cell = cell ^ bits;
-            return hit;
-        }
-        ivec3 ends = min(((cell >> region.shift) + 1) << region.shift, high);
-        vec3 times = (vec3(ends - middle) - origin) * inverse;
-        hit.axis = times.x <= min(times.y, times.z) ? 0 : times.y <= times.z ? 1 : 2;
-        hit.t = hit.axis == 0 ? times.x : hit.axis == 1 ? times.y : times.z;
-        ivec3 next = clamp(ivec3(floor(origin + direction * hit.t)) + middle, cell, ends - 1);
-        cell = mix(next, ends, equal(ivec3(hit.axis), ivec3(0, 1, 2)));
-    } while (all(lessThan(cell, high)));
-    return hit;
-}
 
 // The two coordinates on a face.
 vec2 across(vec3 v, int axis) {
@@ -125,7 +70,7 @@ void main() {
     vec3 origin = voxelRayOrigin(screen);
     vec3 direction = voxelRayDirection(screen);
     Cursor cursor;
-    Hit hit = castRay(origin, direction, cursor);
+    Hit hit = castRay(origin, direction, near_metres, cursor);
     if (hit.material == 0u) discard;
 
     bool faces_up = along(direction, hit.axis) < 0.0;
@@ -139,6 +84,13 @@ void main() {
     vec2 footprint = sqrt(dx * dx + dy * dy);
     float light = faces_up ? face_light[hit.axis].x : face_light[hit.axis].y;
     float large = max(footprint.x, footprint.y);
+    ivec3 unit = ivec3(equal(ivec3(hit.axis), ivec3(0, 1, 2)));
+    // What looks away from the sun is in its own shade already.
+    bool sunlit = along(sun.xyz, hit.axis) * (faces_up ? 1.0 : -1.0) > 0.0;
+    if (sun.w > 0.0 && sunlit &&
+        inShadow(at, hit.cell + (faces_up ? unit : -unit), cursor)) {
+        light *= 1.0 - sun.w;
+    }
     if (occlusion_shown != 0 && large < 1.0) {
         light *= 1.0 - 0.4 * occlusion(hit, faces_up, position, cursor) *
                            (1.0 - smoothstep(0.5, 1.0, large));

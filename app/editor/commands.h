@@ -165,6 +165,7 @@ struct Command {
     // Its name in the settings; once released it stays: "undo".
     const char* tag = "";
     MenuId menu = MenuId::none;
+    const char* group = "";  // the menu within the menu; commands of one group stand together
     const char* name = "";
     const char* icon = "";
     std::array<Chord, 2> chords{};  // unless the settings say otherwise; {} is none

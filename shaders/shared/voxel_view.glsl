@@ -21,6 +21,7 @@ layout(std140, binding = 6) uniform VoxelViewBlock {
     int grid_shown;
     int occlusion_shown;
     vec4 ghost_tint;            // alpha: that of a ghost's pixels; 0 for the model itself
+    vec4 sun;                   // where it is; w: how much its light is missed in shadow, 0: none
 };
 
 vec3 voxelRayOrigin(vec2 screen) {

@@ -108,6 +108,12 @@ std::vector<std::string> EditorWindow::environment() const {
 }
 
 void EditorWindow::startEditor(std::vector<std::string> arguments) {
+    // The tour of the first start would lie over everything.
+    const std::filesystem::path settings = file("config") / "voxprite" / "editor.json";
+    if (!showsTour_ && !std::filesystem::exists(settings)) {
+        std::filesystem::create_directories(settings.parent_path());
+        std::ofstream(settings) << R"({"window": {"tour_seen": true}})";
+    }
     arguments.insert(arguments.begin(), {VOXPRITE_PROGRAM, "edit"});
     arguments.insert(arguments.end(), {"--dump-layout", file("layout.json").string(), "--record",
                                        file("record.jsonl").string()});
@@ -185,6 +191,14 @@ void EditorWindow::drag(glm::ivec2 from, glm::ivec2 to, int button) {
 
 void EditorWindow::key(const std::string& chord) {
     xdotool("key " + chord);
+}
+
+void EditorWindow::keyDown(const std::string& name) {
+    xdotool("keydown " + name);
+}
+
+void EditorWindow::keyUp(const std::string& name) {
+    xdotool("keyup " + name);
 }
 
 void EditorWindow::type(const std::string& text) {

@@ -40,6 +40,8 @@ class EditorWindow : public testing::Test {
     void startDisplay(glm::ivec2 screenPx);
     void setResolution(int dotsPerInch);  // Xft.dpi: 96 is content scale 1
     void startEditor(std::vector<std::string> arguments);
+    // As at the very first start; before startEditor().
+    void showTour() { showsTour_ = true; }
     // Runs the editor to its end; its exit status.
     [[nodiscard]] int runEditor(std::vector<std::string> arguments);
 
@@ -54,11 +56,14 @@ class EditorWindow : public testing::Test {
     void click(glm::ivec2 at, int button = 1);
     void drag(glm::ivec2 from, glm::ivec2 to, int button = 1);
     void key(const std::string& chord);
+    void keyDown(const std::string& name);
+    void keyUp(const std::string& name);
     void type(const std::string& text);
 
     [[nodiscard]] std::filesystem::path file(const std::string& name) const {
         return folder_ / name;
     }
+    [[nodiscard]] const std::string& display() const { return display_; }
     [[nodiscard]] std::string said() const;  // the program's output
     [[nodiscard]] Process& editor() { return editor_; }
 
@@ -68,6 +73,7 @@ class EditorWindow : public testing::Test {
 
     TemporaryFolder folder_;
     std::string display_;
+    bool showsTour_ = false;
     Process server_;
     Process editor_;
 };

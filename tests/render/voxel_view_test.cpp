@@ -192,6 +192,73 @@ TEST_F(VoxelViews, EdgesAndGridAreSeenAndFacesDiffer) {
     EXPECT_GT(gridded, 300);
 }
 
+// Marched in steps too small to jump a voxel's corner that matters, nothing like the shader's walk.
+bool marchesIntoVoxel(const VoxelGrid& voxels, glm::dvec3 from, glm::dvec3 toward) {
+    for (double t = 2e-3; t < 64.0; t += 2e-3) {
+        if (voxels.get(glm::ivec3(glm::floor(from + toward * t))) != 0) return true;
+    }
+    return false;
+}
+
+TEST_F(VoxelViews, TheSunsShadowFallsWhereAMarchTowardItIsStopped) {
+    VoxelGrid voxels = test::solidBox({24, 24, 1}, 40);
+    voxels.fill(IBox{{8, 9, 1}, {10, 11, 9}}, 40);
+    voxels.fill(IBox{{6, 14, 5}, {15, 19, 6}}, 40);
+    const GpuModel model(voxels);
+    const PlacedEntity placed = model.placedAt({0, 0, 0}, GameProfile{});
+    const Camera eye = camera(placed, {25, 50, 0}, 2.6);
+    VoxelViewOptions options = plain();
+    options.light.towardLight = {0.45, 1.0, 0.3};
+    VoxelView view = must(VoxelView::create());
+    Frame frame(kViewport);
+    view.draw(frame, model.gpu, model.palette, placed, eye, options);
+    const Image bright = frame.readColour();
+    options.shadow = true;
+    view.draw(frame, model.gpu, model.palette, placed, eye, options);
+    const Image shaded = frame.readColour();
+    const std::vector<float> depth = frame.readDepth();
+
+    const glm::dvec3 sun = glm::normalize(voxelFromWorld(options.light.towardLight));
+    int inShade = 0, inSun = 0, wrong = 0, darkGround = 0;
+    for (int y = 0; y < kViewport.y; ++y) {
+        for (int x = 0; x < kViewport.x; ++x) {
+            const bool darker = shaded.at(x, y).y < bright.at(x, y).y;
+            EXPECT_LE(shaded.at(x, y).y, bright.at(x, y).y);
+            if (depth[static_cast<std::size_t>(y * kViewport.x + x)] == 0.0f) {
+                darkGround += darker;
+                continue;
+            }
+            const Camera::Ray ray = eye.rayThrough(glm::dvec2(x, y) + 0.5);
+            const glm::dvec3 from =
+                voxelFromWorld(ray.origin - placed.anchorMetres) / placed.metresPerVoxel() +
+                placed.anchor;
+            const glm::dvec3 direction = voxelFromWorld(ray.direction);
+            const PerspectiveHit hit = castPerspective(model.octree.view(), from, direction);
+            if (hit.hit.material == 0) continue;
+            // Of this light all faces that the eye sees from above look toward it or away.
+            glm::dvec3 at = from + direction * hit.t;
+            const glm::dvec3 inside = glm::abs(glm::fract(at) - 0.5);
+            const int axis =
+                inside.x > inside.y ? (inside.x > inside.z ? 0 : 2) : (inside.y > inside.z ? 1 : 2);
+            const double facing = direction[axis] < 0.0 ? 1.0 : -1.0;
+            if (sun[axis] * facing <= 0.0) {
+                wrong += darker;
+                continue;
+            }
+            at[axis] += facing * 1e-6;
+            const bool stopped = marchesIntoVoxel(voxels, at, sun);
+            inShade += stopped;
+            inSun += !stopped;
+            wrong += darker != stopped;
+        }
+    }
+    EXPECT_GT(inShade, 400);
+    EXPECT_GT(inSun, 2000);
+    EXPECT_GT(darkGround, 100);
+    // Single precision falls on the other side along a shadow's edge.
+    EXPECT_LE(wrong, 25);
+}
+
 TEST_F(VoxelViews, CornersBetweenVoxelsAreShaded) {
     // A floor with a wall on it: shade along the foot of the wall, none in the open.
     VoxelGrid voxels = test::solidBox({16, 16, 1}, 40);

@@ -16,9 +16,37 @@ constexpr Command modeCommand(Command command) {
     return command;
 }
 
+constexpr const char* groupOf(ToolKind tool) {
+    switch (tool) {
+        case ToolKind::brush:
+        case ToolKind::face:
+        case ToolKind::laser:
+        case ToolKind::fill:
+        case ToolKind::planeFill:
+        case ToolKind::stamp:
+            return "Draw";
+        case ToolKind::box:
+        case ToolKind::line:
+        case ToolKind::sphere:
+        case ToolKind::ellipse:
+        case ToolKind::cylinder:
+            return "Shapes";
+        case ToolKind::selectBox:
+        case ToolKind::selectRectangle:
+        case ToolKind::wand:
+            return "Select";
+        case ToolKind::pickColour:
+        case ToolKind::anchor:
+        case ToolKind::socket:
+            return "Pick and place";
+    }
+    return "";
+}
+
 template <ToolKind tool>
 constexpr Command toolCommand(Command command) {
     command.menu = MenuId::tool;
+    command.group = groupOf(tool);
     command.run = [](CommandContext& c) { c.settings.tool.choose(tool); };
     command.on = [](const CommandContext& c) { return c.settings.tool.tool == tool; };
     return command;
@@ -28,6 +56,7 @@ constexpr Command toolCommand(Command command) {
 template <GizmoKind kind>
 constexpr Command gizmoCommand(Command command) {
     command.menu = MenuId::tool;
+    command.group = "Proxy box";
     command.run = [](CommandContext& c) {
         GizmoKind& gizmo = c.settings.tool.gizmo;
         gizmo = gizmo == kind ? GizmoKind::none : kind;
@@ -93,8 +122,7 @@ std::span<const Command> toolCommands() {
                                     .tag = "box",
                                     .name = "Box",
                                     .icon = icon::kBox,
-                                    .chords = {key(GLFW_KEY_U)},
-                                    .separator = true}),
+                                    .chords = {key(GLFW_KEY_U)}}),
         toolCommand<ToolKind::line>({.id = toolLine,
                                      .tag = "line",
                                      .name = "Line",
@@ -120,8 +148,7 @@ std::span<const Command> toolCommands() {
                                           .tag = "select_box",
                                           .name = "Select a box",
                                           .icon = icon::kSelectBox,
-                                          .chords = {key(GLFW_KEY_M)},
-                                          .separator = true}),
+                                          .chords = {key(GLFW_KEY_M)}}),
         toolCommand<ToolKind::selectRectangle>({.id = toolSelectRectangle,
                                                 .tag = "select_rectangle",
                                                 .name = "Select on screen",
@@ -137,8 +164,7 @@ std::span<const Command> toolCommands() {
                                            .tag = "pick_colour",
                                            .name = "Pick colour",
                                            .icon = icon::kPickColour,
-                                           .chords = {key(GLFW_KEY_I)},
-                                           .separator = true}),
+                                           .chords = {key(GLFW_KEY_I)}}),
         toolCommand<ToolKind::anchor>({.id = toolAnchor,
                                        .tag = "set_anchor",
                                        .name = "Set anchor",

@@ -28,6 +28,7 @@ void look(CommandContext& c, double yawDegrees, double pitchDegrees) {
 template <int yawDegrees, int pitchDegrees>
 constexpr Command lookCommand(Command command) {
     command.menu = MenuId::view;
+    command.group = "Look from";
     command.run = [](CommandContext& c) { look(c, yawDegrees, pitchDegrees); };
     return command;
 }
@@ -38,14 +39,21 @@ constexpr double kIsometricPitchDegrees = 35.264389682754654;
 template <bool ViewSettings::*flag>
 constexpr Command switchCommand(Command command) {
     command.menu = MenuId::view;
+    command.group = "Show";
     command.run = [](CommandContext& c) { c.settings.view.*flag = !(c.settings.view.*flag); };
     command.on = [](const CommandContext& c) { return c.settings.view.*flag; };
+    return command;
+}
+
+constexpr Command ungrouped(Command command) {
+    command.group = "";
     return command;
 }
 
 template <bool WindowSettings::*flag>
 constexpr Command panelCommand(Command command) {
     command.menu = MenuId::view;
+    command.group = "Panels";
     command.run = [](CommandContext& c) { c.settings.window.*flag = !(c.settings.window.*flag); };
     command.on = [](const CommandContext& c) { return c.settings.window.*flag; };
     return command;
@@ -101,6 +109,7 @@ std::span<const Command> viewCommands() {
         Command{.id = viewIsometric,
                 .tag = "view_isometric",
                 .menu = MenuId::view,
+                .group = "Look from",
                 .name = "Isometric",
                 .icon = icon::kIsometric,
                 .chords = {key(GLFW_KEY_9)},
@@ -117,12 +126,11 @@ std::span<const Command> viewCommands() {
                         flag = !flag;
                     },
                 .on = [](const CommandContext& c) { return c.editView.camera().orthographic; }},
-        switchCommand<&ViewSettings::lockCameras>({.id = toggleLockCameras,
-                                                   .tag = "lock_cameras",
-                                                   .name = "Lock the cameras together",
-                                                   .icon = icon::kLink,
-                                                   .chords = {shift(GLFW_KEY_L)},
-                                                   .separator = true}),
+        ungrouped(switchCommand<&ViewSettings::lockCameras>({.id = toggleLockCameras,
+                                                             .tag = "lock_cameras",
+                                                             .name = "Lock the cameras together",
+                                                             .icon = icon::kLink,
+                                                             .chords = {shift(GLFW_KEY_L)}})),
         switchCommand<&ViewSettings::voxelEdges>(
             {.id = toggleEdges, .tag = "voxel_edges", .name = "Voxel edges", .separator = true}),
         switchCommand<&ViewSettings::editGround>(
@@ -165,6 +173,7 @@ std::span<const Command> viewCommands() {
         Command{.id = togglePanels,
                 .tag = "show_panels",
                 .menu = MenuId::view,
+                .group = "Panels",
                 .name = "Nothing but the views",
                 .chords = {key(GLFW_KEY_TAB)},
                 .run =

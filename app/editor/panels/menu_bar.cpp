@@ -12,7 +12,6 @@ namespace {
 constexpr const char* kIconSpace = "        ";
 
 void item(Ui& ui, const Command& command) {
-    if (command.separator) ImGui::Separator();
     const std::string label = kIconSpace + std::string(command.name);
     const std::string keys = chordText(chordsOf(command, ui.settings.input.keys)[0]);
     if (ImGui::MenuItem(label.c_str(), keys.c_str(), isOn(command.id, ui.context),
@@ -41,6 +40,37 @@ std::optional<std::filesystem::path> recentFiles(Ui& ui) {
     return chosen;
 }
 
+// The entries of a menu; a recent file, if one was chosen there.
+std::optional<std::filesystem::path> menuOf(Ui& ui, MenuId menu) {
+    std::optional<std::filesystem::path> chosen;
+    std::string_view group;
+    bool unfolded = true;  // the group
+    const auto endGroup = [&] {
+        if (!group.empty() && unfolded) ImGui::EndMenu();
+        group = {};
+        unfolded = true;
+    };
+    for (const Command& command : commands()) {
+        if (command.menu != menu) continue;
+        if (command.group != group) {
+            endGroup();
+            if (command.separator) ImGui::Separator();
+            group = command.group;
+            if (!group.empty()) {
+                unfolded = ImGui::BeginMenu((kIconSpace + std::string(group)).c_str());
+                if (!unfolded) ui.probe.markItem("menu." + std::string(group));
+            }
+        } else if (command.separator && unfolded) {
+            ImGui::Separator();
+        }
+        if (unfolded) item(ui, command);
+        if (command.id != CommandId::open) continue;
+        if (auto file = recentFiles(ui)) chosen = file;
+    }
+    endGroup();
+    return chosen;
+}
+
 // The document's name in the middle; a dot while it is not saved.
 void documentName(Ui& ui) {
     const std::string name = ui.session.title() + (ui.session.unsaved() ? "  •" : "");
@@ -61,14 +91,10 @@ std::optional<std::filesystem::path> drawMenuBar(Ui& ui) {
         MenuId id;
         const char* title;
     };
-    constexpr Entry kMenus[] = {{MenuId::file, "File"},
-                                {MenuId::edit, "Edit"},
-                                {MenuId::object, "Object"},
-                                {MenuId::animation, "Animation"},
-                                {MenuId::tool, "Tools"},
-                                {MenuId::palette, "Palette"},
-                                {MenuId::view, "View"},
-                                {MenuId::help, "Help"}};
+    constexpr Entry kMenus[] = {{MenuId::file, "File"},     {MenuId::edit, "Edit"},
+                                {MenuId::object, "Object"}, {MenuId::animation, "Animation"},
+                                {MenuId::tool, "Tools"},    {MenuId::palette, "Palette"},
+                                {MenuId::view, "View"},     {MenuId::help, "Help"}};
     std::optional<std::filesystem::path> chosen;
     if (!ImGui::BeginMenuBar()) return chosen;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ui.theme.px(8, 8));
@@ -77,12 +103,7 @@ std::optional<std::filesystem::path> drawMenuBar(Ui& ui) {
         const bool open = ImGui::BeginMenu(menu.title);
         if (!open) ui.probe.markItem(std::string("menu.") + menu.title);
         if (!open) continue;
-        for (const Command& command : commands()) {
-            if (command.menu != menu.id) continue;
-            item(ui, command);
-            if (command.id != CommandId::open) continue;
-            if (auto file = recentFiles(ui)) chosen = file;
-        }
+        if (auto file = menuOf(ui, menu.id)) chosen = file;
         ImGui::EndMenu();
     }
     ImGui::PopStyleVar(2);
