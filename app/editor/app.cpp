@@ -241,6 +241,10 @@ void App::dumpLayout() {
                          {"dialog", openDialog()},
                          {"colour", settings_.tool.colour},
                          {"toast", toasts_.newest()}};
+    const SceneFigures& sprites = sprite_.figures();
+    state["sprites"] = {{"entities", sprites.entities},
+                        {"drawn", sprites.stats.drawn},
+                        {"draw_calls", sprites.stats.drawCalls}};
     if (const auto& hovered = voxels_.hovered()) {
         const glm::ivec3 v = hovered->voxel, n = hovered->normal;
         state["hovered"] = {

@@ -32,8 +32,8 @@ void addPlane(OverlayShapes& shapes, int axis, double at, const IBox& bounds, fl
     for (std::size_t i = 0; i < 4; ++i) {
         shapes.lines.push_back({corners[i], corners[(i + 1) % 4], faint(colour, 230), widthPx});
     }
-    shapes.triangles.push_back({corners[0], corners[1], corners[2], faint(colour, 34)});
-    shapes.triangles.push_back({corners[0], corners[2], corners[3], faint(colour, 34)});
+    shapes.triangles.push_back({corners[0], corners[1], corners[2], faint(colour, 18)});
+    shapes.triangles.push_back({corners[0], corners[2], corners[3], faint(colour, 18)});
 }
 
 }  // namespace

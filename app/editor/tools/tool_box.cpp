@@ -73,7 +73,7 @@ ToolBox::Outcome ToolBox::update(const ToolContext& context, bool picksColour) {
 
     if (restsPx_) {
         const double moved = glm::length(input.pointerPx - *restsPx_);
-        if (input.pressed || moved > kRestPx * static_cast<double>(context.scale)) restsPx_.reset();
+        if (input.held || moved > kRestPx * static_cast<double>(context.scale)) restsPx_.reset();
     }
     ToolInput seen = input;
     const bool aims = !picksColour || tool_->busy();
