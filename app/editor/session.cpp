@@ -6,6 +6,9 @@
 namespace voxprite::editor {
 namespace {
 
+// An octree is sooner built anew than changed in so many places, if they are much of the model.
+constexpr std::size_t kManyVoxels = 50'000;
+
 // Of ascending changes; null where there is none.
 const VoxelChange* changeAt(const std::vector<VoxelChange>& changes, glm::ivec3 position) {
     const auto comesBefore = [](glm::ivec3 a, glm::ivec3 b) {
@@ -70,6 +73,14 @@ void Session::followPalette() {
 
 Status Session::followVoxels(const Changed::Voxels& changed) {
     voxelRevisions_[static_cast<std::size_t>(changed.model)] = ++lastVoxelRevision_;
+    const std::size_t many = changed.positions.size();
+    if (many > kManyVoxels && many > octree_.solidCount() / 16) {
+        Status rebuilt = octree_.rebuild(flatten(workspace_.document, frame_));
+        if (!rebuilt) return rebuilt;
+        bounds_ = frames_ == 1 ? octree_.solidBounds() : entityBounds(workspace_.document);
+        shown_.reset(octree_);
+        return {};
+    }
     std::vector<LiveOctree::Edit> edits;
     for (const Instance& instance : sampler_->instances()) {
         if (instance.model != changed.model) continue;
