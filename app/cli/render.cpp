@@ -40,7 +40,7 @@ Json socketsJson(const Shot& shot) {
 
 Json reportJson(const RenderOptions& options, const Shot& shot, const Drawn& drawn,
                 const Times& times) {
-    Json json{{"backend", nameOf(options.backend)}, {"mode", nameOf(options.mode)}};
+    Json json{{"backend", nameOf(options.backend)}, {"mode", nameOf(shot.mode)}};
     if (!drawn.driver.empty()) json["gl"] = drawn.driver;
     if (drawn.buffer) {
         const SpriteBuffer& buffer = *drawn.buffer;
@@ -100,7 +100,7 @@ Result<Report> render(const RenderOptions& options) {
     if (!shot) return Failure(shot.error());
     const bool wantImage = options.output.has_value();
     const auto draw = options.backend == Backend::gl ? drawOnGl : drawOnCpu;
-    const Result<Drawn> drawn = draw(*shot, options.mode, wantImage, times);
+    const Result<Drawn> drawn = draw(*shot, shot->mode, wantImage, times);
     if (!drawn) return Failure(inFile(Result<Drawn>(drawn), options.input).error());
     if (Status written = writePictures(options, *drawn); !written) {
         return Failure(written.error());

@@ -160,7 +160,8 @@ void addRenderOptions(CLI::App& app, RenderOptions& o) {
     app.add_option("--buffer", o.buffer,
                    "The bare sprite buffer: one pixel a virtual pixel, transparent outside")
         ->type_name("OUT.png");
-    add(app, "--mode", "sprite|single_pass|voxels", "What is drawn, and how", modeFrom, o.mode);
+    add(app, "--mode", "sprite|single_pass|voxels",
+        "What is drawn, and how (else as the profile has it)", modeFrom, o.mode);
     add(app, "--backend", "cpu|gl", "Where it is drawn", backendFrom, o.backend);
     app.add_option("--lattice", o.lattice,
                    "Cast exactly this view: the `lattice` of `render --json`, or all of that JSON")

@@ -163,6 +163,8 @@ Result<Shot> makeShot(const RenderOptions& options, Times& times) {
         shot.sockets.push_back({socket.name, position});
     }
     shot.profile = *profile;
+    shot.mode = options.mode.value_or(
+        profile->mode == SpriteMode::singlePass ? RenderMode::singlePass : RenderMode::sprite);
     shot.placed = placeEntity(entityOf(document.entity, options, bounds), bounds, *profile);
     if (!options.positionMetres) shot.placed.anchorMetres -= shot.placed.centreMetres();
     shot.camera = cameraOf(options, shot.placed, *profile);

@@ -30,6 +30,7 @@ struct Shot {
     std::vector<ShotSocket> sockets;
     PlacedEntity placed;
     GameProfile profile;
+    RenderMode mode = RenderMode::sprite;
     Camera camera;
     std::optional<Ground> ground;
     Rgba8 background{0, 0, 0, 0};

@@ -1,47 +1,34 @@
 // voxprite trade: what the choices of the sprite cost and gain, measured.
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 #include "app/cli/command.h"
 #include "app/cli/conformance/conformance.h"
 #include "app/cli/conformance/stability.h"
+#include "app/cli/conformance/temporal.h"
+#include "app/cli/source.h"
+#include "app/cli/text_table.h"
+#include "core/model/entity_voxels.h"
+#include "core/svo/bake.h"
 
 namespace voxprite::cli {
 namespace {
 
 struct Options {
+    std::vector<std::string> files;
     bool conformance = false;
     bool stability = false;
+    bool temporal = false;
+    bool markdown = false;
+    [[nodiscard]] TableStyle style() const {
+        return markdown ? TableStyle::markdown : TableStyle::plain;
+    }
 };
 
-std::string textOf(double number) {
-    std::ostringstream text;
-    text << std::setprecision(4) << number;
-    return text.str();
-}
-
-// Columns as wide as their widest cell, two blanks between.
-std::string table(const std::vector<std::vector<std::string>>& rows) {
-    std::vector<std::size_t> widths(rows.front().size());
-    for (const auto& row : rows)
-        for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
-    std::string text;
-    for (const auto& row : rows) {
-        for (std::size_t k = 0; k < row.size(); ++k) {
-            text += row[k];
-            if (k + 1 < row.size()) text += std::string(widths[k] - row[k].size() + 2, ' ');
-        }
-        text += '\n';
-    }
-    return text;
-}
-
-void addConformance(Report& report, std::vector<std::string>& broken) {
+void addConformance(const Options& options, Report& report, std::vector<std::string>& broken) {
     const std::vector<conformance::Comparison> all = conformance::compareReadings();
     std::vector<std::vector<std::string>> rows{
-        {"row", "what", "literal", "ours", "promised", "unit", "how measured"}};
+        {"row", "what goes wrong", "literal", "voxprite", "promised", "unit", "how measured"}};
     Json& figures = report.json["conformance"] = Json::array();
     for (const conformance::Comparison& one : all) {
         rows.push_back({std::to_string(one.row), one.what, textOf(one.literal), textOf(one.ours),
@@ -57,63 +44,110 @@ void addConformance(Report& report, std::vector<std::string>& broken) {
                            {"held", one.held()}});
         if (!one.held()) broken.push_back("row " + std::to_string(one.row) + ", " + one.key);
     }
-    report.text += table(rows);
+    report.text += textOf(rows, options.style()) + '\n';
     Json& leftOut = report.json["left_out"] = Json::array();
     for (const conformance::LeftOut& row : conformance::rowsLeftOut()) {
         leftOut.push_back({{"row", row.row}, {"why", row.why}});
-        report.text += "row " + std::to_string(row.row) + " is left out: " + row.why + '\n';
+        report.text += "Row " + std::to_string(row.row) + " is left out: " + row.why + ".\n";
     }
 }
 
-void addStability(Report& report, std::vector<std::string>& broken) {
-    std::vector<std::vector<std::string>> rows{
-        {"sweep", "cases", "refused", "failures", "figure", "measured", "promised", "unit"}};
-    Json& sweeps = report.json["stability"] = Json::array();
-    std::string swept;
-    for (const conformance::Sweep& sweep : conformance::sweepExtremes()) {
-        Json figures = Json::array();
-        const std::vector<std::string> head{sweep.key, std::to_string(sweep.cases),
-                                            std::to_string(sweep.refused),
-                                            std::to_string(sweep.failures)};
-        rows.push_back(head);
-        rows.back().resize(rows.front().size());
-        for (std::size_t k = 0; k < sweep.figures.size(); ++k) {
-            const conformance::Figure& figure = sweep.figures[k];
-            const bool bounded = std::isfinite(figure.promised);
-            if (k > 0) rows.push_back({"", "", "", "", "", "", "", ""});
-            rows.back()[4] = figure.what;
-            rows.back()[5] = textOf(figure.value);
-            rows.back()[6] = bounded ? textOf(figure.promised) : "";
-            rows.back()[7] = figure.unit;
-            figures.push_back({{"key", figure.key},
-                               {"what", figure.what},
-                               {"value", figure.value},
-                               {"promised", bounded ? Json(figure.promised) : Json(nullptr)},
-                               {"unit", figure.unit},
-                               {"held", figure.held()}});
-            if (!figure.held()) broken.push_back(sweep.key + ", " + figure.key);
-        }
-        if (sweep.failures > 0) broken.push_back(sweep.key + ", " + sweep.failed);
-        sweeps.push_back({{"key", sweep.key},
-                          {"what", sweep.what},
-                          {"cases", sweep.cases},
-                          {"refused", sweep.refused},
-                          {"failures", sweep.failures},
-                          {"first_failure", sweep.failed},
-                          {"not_run", sweep.notRun},
-                          {"held", sweep.held()},
-                          {"figures", std::move(figures)}});
-        swept += sweep.key + ": " + sweep.what + '\n';
-        if (!sweep.notRun.empty()) swept += sweep.key + " was not run: " + sweep.notRun + '\n';
+// The figures of one sweep: a row each, its name and counts before the first.
+void addSweep(const conformance::Sweep& sweep, std::vector<std::vector<std::string>>& rows,
+              Json& sweeps, std::vector<std::string>& broken) {
+    Json figures = Json::array();
+    rows.push_back({sweep.key, sweep.what, std::to_string(sweep.cases),
+                    std::to_string(sweep.refused), std::to_string(sweep.failures)});
+    rows.back().resize(rows.front().size());
+    for (std::size_t k = 0; k < sweep.figures.size(); ++k) {
+        const conformance::Figure& figure = sweep.figures[k];
+        const bool bounded = std::isfinite(figure.promised);
+        if (k > 0) rows.emplace_back(rows.front().size());
+        rows.back()[5] = figure.what;
+        rows.back()[6] = textOf(figure.value);
+        rows.back()[7] = bounded ? textOf(figure.promised) : "";
+        rows.back()[8] = figure.unit;
+        figures.push_back({{"key", figure.key},
+                           {"what", figure.what},
+                           {"value", figure.value},
+                           {"promised", bounded ? Json(figure.promised) : Json(nullptr)},
+                           {"unit", figure.unit},
+                           {"held", figure.held()}});
+        if (!figure.held()) broken.push_back(sweep.key + ", " + figure.key);
     }
-    report.text += table(rows) + swept;
+    if (sweep.failures > 0) broken.push_back(sweep.key + ", " + sweep.failed);
+    sweeps.push_back({{"key", sweep.key},
+                      {"what", sweep.what},
+                      {"cases", sweep.cases},
+                      {"refused", sweep.refused},
+                      {"failures", sweep.failures},
+                      {"first_failure", sweep.failed},
+                      {"not_run", sweep.notRun},
+                      {"held", sweep.held()},
+                      {"figures", std::move(figures)}});
+}
+
+void addStability(const Options& options, Report& report, std::vector<std::string>& broken) {
+    std::vector<std::vector<std::string>> rows{{"sweep", "over", "cases", "refused", "failures",
+                                                "figure", "measured", "promised", "unit"}};
+    Json& sweeps = report.json["stability"] = Json::array();
+    std::string notRun;
+    for (const conformance::Sweep& sweep : conformance::sweepExtremes()) {
+        addSweep(sweep, rows, sweeps, broken);
+        if (!sweep.notRun.empty()) notRun += sweep.key + " was not run: " + sweep.notRun + '\n';
+    }
+    report.text += textOf(rows, options.style()) + notRun;
+}
+
+Result<std::vector<conformance::TurningModel>> turningModels(
+    const std::vector<std::string>& files) {
+    if (files.empty()) return conformance::turningSubjects();
+    std::vector<conformance::TurningModel> models;
+    for (const std::string& file : files) {
+        Result<LoadedDocument> loaded = loadSource(file, std::nullopt);
+        if (!loaded) return Failure(loaded.error());
+        const VoxelGrid voxels = flatten(loaded->document, 0);
+        if (voxels.empty()) return failInFile(file, "its first frame has no voxels to turn");
+        Result<Octree> octree = bake(voxels);
+        if (!octree) return Failure(inFile(std::move(octree), file).error());
+        models.push_back({std::filesystem::path(file).stem().string(), std::move(*octree),
+                          std::move(loaded->document.palette)});
+    }
+    return models;
+}
+
+Status addTemporal(const Options& options, Report& report) {
+    const auto models = turningModels(options.files);
+    if (!models) return Failure(models.error());
+    std::vector<std::vector<std::string>> rows{{"view step", "frames that change",
+                                                "of a sprite, in such a frame", "a degree",
+                                                "off the exact view", "while trembling"}};
+    Json& figures = report.json["temporal"] = Json::array();
+    const auto percent = [](double value) { return textOf(value) + " %"; };
+    for (const conformance::TurnFigures& one : conformance::measureTurns(
+             *models, {0.0, 0.5, 1.0, 1.5, 2.5, 3.0, 5.0, 7.5, 9.0, 11.25, 15.0})) {
+        rows.push_back({textOf(one.stepDegrees), percent(one.framesChanged),
+                        percent(one.changedAFrame), percent(one.changedADegree),
+                        percent(one.offTheExact), percent(one.changedByTremble)});
+        figures.push_back({{"viewStep", one.stepDegrees},
+                           {"frames_changed", one.framesChanged},
+                           {"changed_a_frame", one.changedAFrame},
+                           {"changed_a_degree", one.changedADegree},
+                           {"off_the_exact", one.offTheExact},
+                           {"frames_changed_trembling", one.changedByTremble}});
+    }
+    report.text += textOf(rows, options.style());
+    return {};
 }
 
 Result<Report> runTrade(const Options& options) {
     Report report;
     std::vector<std::string> broken;
-    if (options.conformance) addConformance(report, broken);
-    if (options.stability) addStability(report, broken);
+    if (options.conformance) addConformance(options, report, broken);
+    if (options.stability) addStability(options, report, broken);
+    if (options.temporal) {
+        if (Status status = addTemporal(options, report); !status) return Failure(status.error());
+    }
     if (!broken.empty()) {
         std::string message = "not held: ";
         for (std::size_t k = 0; k < broken.size(); ++k) message += (k > 0 ? "; " : "") + broken[k];
@@ -132,7 +166,12 @@ void addTrade(CLI::App& app, Command& command) {
                      "The specification's literal reading against ours, decision by decision");
     figures.add_flag("--stability", options->stability,
                      "Views, sizes, places and inputs at their extremes, against what is promised");
+    figures.add_flag("--temporal", options->temporal,
+                     "Pixels that change while the camera turns slowly, for several view steps");
     figures.require_option(1, 0);
+    sub.add_option("FILES", options->files,
+                   "Models to turn with --temporal (else some made for the purpose)");
+    sub.add_flag("--markdown", options->markdown, "Tables as Markdown");
     addJsonFlag(sub, command);
     runs(sub, command, options, runTrade);
 }

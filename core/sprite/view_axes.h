@@ -14,6 +14,10 @@ namespace voxprite {
 // The orbit angles (in degrees) whose orbitBasis, taken to voxel space, is `voxelAxes`.
 [[nodiscard]] OrbitAngles orbitAnglesOf(const glm::dmat3& voxelAxes);
 
+// The view step that a new game starts with in the editor, chosen from what `voxprite trade
+// --temporal` measures (README). A profile's own default is 0: headless commands snap nothing.
+inline constexpr double kUsualViewStepDegrees = 2.5;
+
 // The axes near `voxelAxes` whose yaw, pitch and roll are multiples of the step; straight from
 // above or below there is no roll. The step is the one nearest to `stepDegrees` that divides 45
 // degrees, so that views along axes and diagonals are among the snapped ones, and the circle has no

@@ -201,6 +201,11 @@ TEST_F(CliRender, ProfileFilesAndOptionsAreInForce) {
     EXPECT_EQ(withProfile["sigma_in_force"], 2.0);
     EXPECT_EQ(withProfile["buffer"]["outline"], 0);
     EXPECT_EQ(render({"--profile", file("game.json"), "--sigma", "3"})["sigma_in_force"], 3.0);
+    profile.mode = SpriteMode::singlePass;
+    ASSERT_TRUE(writeProfileFile(file("single.json"), profile));
+    EXPECT_EQ(withProfile["mode"], "sprite");
+    EXPECT_EQ(render({"--profile", file("single.json")})["mode"], "single_pass");
+    EXPECT_EQ(render({"--profile", file("single.json"), "--mode", "sprite"})["mode"], "sprite");
     // A virtual pixel far smaller than a screen pixel: sigma is halved only when asked.
     EXPECT_EQ(render({"--size", "64x64", "--sigma", "16"})["sigma_in_force"], 16.0);
     EXPECT_LT(render({"--size", "64x64", "--sigma", "16", "--minification"})["sigma_in_force"],

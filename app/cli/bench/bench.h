@@ -2,6 +2,7 @@
 // median of repeated runs, after one that is not counted.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -42,6 +43,12 @@ struct Effort {
 // until budgetMs() are used up.
 [[nodiscard]] double medianMs(const Effort& effort, const std::function<void()>& run);
 
+// Says on stderr what is being measured; nothing with `quick`, which takes no time worth telling.
+void progress(const Effort& effort, const std::string& what);
+
+// Memory of this process that is in use, as the system counts it; 0 where it does not say.
+[[nodiscard]] std::uint64_t processBytes();
+
 // Each returns a list of figures, as the command line's contract has them. A rival that does not
 // give the same result as voxprite is a failure, or its disagreement is in the figure
 // (`differing`).
@@ -50,7 +57,10 @@ struct Effort {
 [[nodiscard]] Result<Json> benchBake(const std::vector<BenchModel>& models, const Effort& effort);
 [[nodiscard]] Result<Json> benchUpdate(const std::vector<BenchModel>& models, const Effort& effort);
 [[nodiscard]] Result<Json> benchFiles(const std::vector<BenchModel>& models, const Effort& effort);
-// Needs a current GL context.
+// These need a current GL context.
 [[nodiscard]] Result<Json> benchFrame(const std::vector<BenchModel>& models, const Effort& effort);
+// In the editor, from input to picture; on models of its own.
+[[nodiscard]] Result<Json> benchLatency(const std::vector<BenchModel>& models,
+                                        const Effort& effort);
 
 }  // namespace voxprite::bench

@@ -1,91 +1,86 @@
-// Milliseconds a frame of crowds: 16 models, many entities, sprite buffers against the way of one
-// draw an entity and one ray a fragment.
+// Milliseconds a frame of crowds: 16 models, many entities; ours against the specification's way.
 #include "app/cli/bench/crowds.h"
 
 #include <glad/gl.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <random>
 
-#include "core/svo/bake.h"
+#include "app/cli/bench/crowd_scene.h"
+#include "app/cli/bench/seed_rival.h"
+#include "app/cli/stopwatch.h"
+#include "core/sprite/view_axes.h"
 #include "render/frame.h"
+#include "render/gl/timer_query.h"
 #include "render/gpu_octree.h"
-#include "render/scene_renderer.h"
 
 namespace voxprite::bench {
 namespace {
 
 constexpr glm::ivec2 kFramePx{1024, 1024};
-constexpr int kModels = 16;
 
-void fill(VoxelGrid& grid, glm::ivec3 low, glm::ivec3 high, std::uint8_t colour) {
-    for (int z = low.z; z < high.z; ++z)
-        for (int y = low.y; y < high.y; ++y)
-            for (int x = low.x; x < high.x; ++x) grid.set({x, y, z}, colour);
-}
-
-// Somebody with legs, a body, arms and a head; no two are of the same build.
-VoxelGrid person(int number) {
-    const int width = 8 + number % 4 * 2;
-    const int legs = 8 + number / 4 * 3;
-    const auto colour = static_cast<std::uint8_t>(1 + 5 * number);
-    VoxelGrid grid;
-    fill(grid, {3, 0, 0}, {6, 5, legs}, colour);
-    fill(grid, {width, 0, 0}, {width + 3, 5, legs}, colour);
-    fill(grid, {3, 0, legs}, {width + 3, 6, legs + 12}, colour + 1);
-    fill(grid, {0, 1, legs + 3}, {3, 4, legs + 11}, colour + 2);
-    fill(grid, {width + 3, 1, legs + 3}, {width + 6, 4, legs + 11}, colour + 2);
-    fill(grid, {width / 2, 0, legs + 12}, {width / 2 + 6, 6, legs + 18}, colour + 3);
-    return grid;
-}
+enum class Way : std::uint8_t { sprite, singlePass, seed };
 
 struct Case {
-    int entities;
-    ViewRule view;
-    bool moving;
-    SpriteMode mode;
+    Way way = Way::sprite;
+    ViewRule view = ViewRule::towardEntity;
+    bool moving = false;
+    double viewStepDegrees = 0.0;
+    int entities = 1;
 };
 
-double msSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-        .count();
+const char* nameOf(Way way) {
+    switch (way) {
+        case Way::sprite:
+            return "sprite";
+        case Way::singlePass:
+            return "single_pass";
+        case Way::seed:
+            return "seed";
+    }
+    return "";
+}
+
+Json describe(const Case& what) {
+    return {{"scene", "crowd"},
+            {"mode", nameOf(what.way)},
+            {"entities", what.entities},
+            {"view", what.view == ViewRule::cameraForward ? "camera_forward" : "toward_entity"},
+            {"camera", what.moving ? "moving" : "still"},
+            {"viewStep", what.viewStepDegrees}};
 }
 
 class CrowdBench {
   public:
-    CrowdBench(SceneRenderer& renderer, const Effort& effort, Json& out)
-        : renderer_(renderer), effort_(effort), out_(out) {}
-
-    Status prepare() {
-        for (int k = 0; k < kModels; ++k) {
-            Result<Octree> octree = bake(person(k));
-            if (!octree) return Failure(octree.error());
-            octrees_.emplace_back().upload(octree->view());
-        }
-        return {};
+    CrowdBench(SceneRenderer& renderer, SeedRenderer seed, std::vector<Octree> models,
+               const Effort& effort, Json& out)
+        : renderer_(renderer),
+          seed_(std::move(seed)),
+          models_(std::move(models)),
+          effort_(effort),
+          out_(out) {
+        for (const Octree& octree : models_) gpuModels_.emplace_back().upload(octree.view());
     }
 
     // One way of drawing, with more and more entities until that takes too long.
-    Status run(ViewRule view, bool moving, SpriteMode mode) {
-        profile_.view = view;
+    Status run(Case what) {
         std::optional<double> first;
         double expected = 0.0;
         for (const int entities : {1, 10, 100, 1'000, 10'000, 100'000}) {
             if (effort_.quick && entities > 10'000) break;
-            const Case next{entities, view, moving, mode};
-            if (expected > mostMs()) {
-                out_.push_back(describe(next));
+            what.entities = entities;
+            if (expected > mostMs(what.way)) {
+                out_.push_back(describe(what));
                 out_.back()["ms"] = nullptr;
                 out_.back()["skipped"] = "would take about " +
                                          std::to_string(std::lround(expected)) +
                                          " ms a frame, by the scenes before";
                 return {};
             }
-            const Result<double> ms = measure(next);
+            progress(effort_, describe(what).dump());
+            const Result<double> ms = measure(what);
             if (!ms) return Failure(ms.error());
             if (!first) first = *ms;
             // Ten times the entities, and what a frame takes with hardly any.
@@ -95,100 +90,135 @@ class CrowdBench {
     }
 
   private:
-    [[nodiscard]] double mostMs() const { return effort_.quick ? 300.0 : 5000.0; }
-
-    static Json describe(const Case& what) {
-        const bool buffered = what.mode == SpriteMode::spriteBuffer;
-        return {{"scene", "crowd"},
-                {"mode", buffered ? "sprite" : "single_pass"},
-                {"entities", what.entities},
-                {"view", what.view == ViewRule::cameraForward ? "camera_forward" : "toward_entity"},
-                {"camera", what.moving ? "moving" : "still"}};
+    // A frame that takes longer is not waited for.
+    [[nodiscard]] double mostMs(Way way) const {
+        if (effort_.quick) return 250.0;
+        return way == Way::sprite ? 60'000.0 : 5000.0;
     }
 
-    // In rows, each turned by a multiple of 45 degrees.
-    Scene crowd(int entities) {
-        std::mt19937 random(3);
-        Scene scene;
-        const int columns = columnsOf(entities);
-        for (int k = 0; k < entities; ++k) {
-            const auto& octree = octrees_[static_cast<std::size_t>(k % kModels)];
-            Entity entity;
-            entity.yawDegrees = 45.0 * static_cast<double>(random() % 8);
-            const auto jitter = [&] { return 0.01 * static_cast<double>(random() % 60); };
-            entity.positionMetres = {(k % columns - 0.5 * columns) * kSpacingMetres + jitter(),
-                                     groundClearanceMetres(profile_),
-                                     (k / columns - 0.5 * columns) * kSpacingMetres + jitter()};
-            const IBox bounds{glm::ivec3(0), octree.size()};
-            scene.entities.push_back(
-                {&octree, &palette_, placeEntity(entity, bounds, profile_), nullptr});
+    struct Drawn {
+        int entities = 0;
+        std::uint64_t rays = 0;
+        std::uint64_t casts = 0;
+        std::uint64_t castsReused = 0;
+        int drawCalls = 0;
+        std::uint64_t atlasBytes = 0;
+    };
+
+    // The next frame of the scene that `measure` has set up.
+    Result<Drawn> drawFrame(const Case& what, const Camera& camera) {
+        if (what.way == Way::seed) {
+            const int drawn = seed_.draw(frame_, members_, camera, profile_).entities;
+            return Drawn{.entities = drawn, .drawCalls = drawn};
         }
-        return scene;
+        const SpriteMode mode =
+            what.way == Way::sprite ? SpriteMode::spriteBuffer : SpriteMode::singlePass;
+        const Result<SceneStats> stats = renderer_.draw(frame_, scene_, camera, profile_, mode);
+        if (!stats) return Failure(stats.error());
+        return Drawn{stats->drawn,       stats->rays,      stats->casts,
+                     stats->castsReused, stats->drawCalls, stats->atlasBytes};
     }
 
-    static int columnsOf(int entities) {
-        return static_cast<int>(std::ceil(std::sqrt(static_cast<double>(entities))));
+    void makeScene(const Case& what) {
+        profile_ = GameProfile{};
+        profile_.view = what.view;
+        profile_.viewStepDegrees = what.viewStepDegrees;
+        members_ = crowd(models_, what.entities, profile_);
+        histories_.assign(members_.size(), ViewHistory{});
+        scene_ = Scene{};
+        for (std::size_t k = 0; k < members_.size(); ++k)
+            scene_.entities.push_back({&gpuModels_[static_cast<std::size_t>(members_[k].model)],
+                                       &palette_, members_[k].placed, &histories_[k]});
+    }
+
+    Camera nextCamera(const Case& what) {
+        if (what.moving) yawDegrees_ += 0.37;
+        return orbitCamera({yawDegrees_, 25.0, 0.0}, {0.0, 1.5, 0.0},
+                           4.0 + 1.2 * crowdExtentMetres(what.entities), 45.0, kFramePx);
     }
 
     Result<double> measure(const Case& what) {
-        const Scene scene = crowd(what.entities);
-        const double extent = columnsOf(what.entities) * kSpacingMetres;
-        Status status;
-        SceneStats stats;
-        std::vector<double> cpuMs;
-        const double ms = medianMs(effort_, [&] {
-            if (what.moving) yawDegrees_ += 0.37;
-            const Camera camera = orbitCamera({yawDegrees_, 25.0, 0.0}, {0.0, 1.5, 0.0},
-                                              4.0 + 1.2 * extent, 45.0, kFramePx);
-            const auto start = std::chrono::steady_clock::now();
-            const Result<SceneStats> drawn =
-                renderer_.draw(frame_, scene, camera, profile_, what.mode);
-            cpuMs.push_back(msSince(start));
-            if (drawn)
-                stats = *drawn;
-            else
-                status = Failure(drawn.error());
+        makeScene(what);
+        const Result<Drawn> start = drawFrame(what, nextCamera(what));  // casts what is shown
+        if (!start) return Failure(start.error());
+        glFinish();
+        const cli::Stopwatch total;
+        std::vector<double> wallMs, cpuMs, gpuMs;
+        Drawn drawn;
+        while (wanted(wallMs, total.milliseconds())) {
+            const Camera camera = nextCamera(what);
+            const cli::Stopwatch frame;
+            gpuTimer_.begin();
+            const Result<Drawn> next = drawFrame(what, camera);
+            gpuTimer_.end();
+            cpuMs.push_back(frame.milliseconds());
+            if (!next) return Failure(next.error());
+            drawn = *next;
             glFinish();
-        });
-        if (!status) return Failure(status.error());
-        const auto middle = cpuMs.begin() + static_cast<std::ptrdiff_t>(cpuMs.size() / 2);
-        std::nth_element(cpuMs.begin(), middle, cpuMs.end());
+            wallMs.push_back(frame.milliseconds());
+            gpuMs.push_back(gpuTimer_.waitMs());
+        }
+        if (what.way == Way::seed)
+            drawn.rays = seed_.countRays(frame_, members_, nextCamera(what), profile_).rays;
+        const double ms = median(wallMs);
         Json& figure = out_.emplace_back(describe(what));
-        figure["drawn"] = stats.drawn;
-        figure["rays"] = stats.rays;
-        figure["casts"] = stats.casts;
-        figure["castsReused"] = stats.castsReused;
-        figure["drawCalls"] = stats.drawCalls;
-        figure["atlasBytes"] = stats.atlasBytes;
-        figure["cpuMs"] = *middle;  // until all commands are given
-        figure["ms"] = ms;          // until all is drawn
+        figure["drawn"] = drawn.entities;
+        figure["rays"] = drawn.rays;
+        figure["casts"] = drawn.casts;
+        figure["castsReused"] = drawn.castsReused;
+        figure["firstRays"] = start->rays;  // of the frame that casts all that is shown
+        figure["firstCasts"] = start->casts;
+        figure["drawCalls"] = drawn.drawCalls;
+        figure["atlasBytes"] = drawn.atlasBytes;
+        figure["processBytes"] = processBytes();
+        figure["cpuMs"] = median(cpuMs);  // until all commands are given
+        figure["gpuMs"] = median(gpuMs);  // between the first command and the end of the last
+        figure["ms"] = ms;                // until all is drawn
         return ms;
     }
 
-    static constexpr double kSpacingMetres = 2.5;
+    // Fewer frames where one takes long.
+    [[nodiscard]] bool wanted(const std::vector<double>& ms, double sofarMs) const {
+        if (ms.empty()) return true;
+        if (sofarMs < effort_.budgetMs()) return true;
+        return static_cast<int>(ms.size()) < effort_.minRuns() && ms.back() < effort_.budgetMs();
+    }
 
     SceneRenderer& renderer_;
+    SeedRenderer seed_;
+    std::vector<Octree> models_;
+    std::vector<GpuOctree> gpuModels_;
     Effort effort_;
     Json& out_;
     GameProfile profile_;
     Palette palette_ = Palette::standard();
-    std::vector<GpuOctree> octrees_;
+    std::vector<CrowdMember> members_;
+    std::vector<ViewHistory> histories_;
+    Scene scene_;
     Frame frame_{kFramePx};
+    gl::TimerQuery gpuTimer_;
     double yawDegrees_ = 0.0;
 };
 
 }  // namespace
 
 Status benchCrowds(SceneRenderer& renderer, const Effort& effort, Json& out) {
-    CrowdBench bench(renderer, effort, out);
-    if (Status status = bench.prepare(); !status) return status;
-    for (const SpriteMode mode : {SpriteMode::spriteBuffer, SpriteMode::singlePass}) {
-        for (const ViewRule view : {ViewRule::cameraForward, ViewRule::towardEntity}) {
-            for (const bool moving : {false, true}) {
-                if (Status status = bench.run(view, moving, mode); !status) return status;
-            }
+    Result<std::vector<Octree>> models = crowdModels();
+    if (!models) return Failure(models.error());
+    Result<SeedRenderer> seed = SeedRenderer::create(*models, Palette::standard());
+    if (!seed) return Failure(seed.error());
+    CrowdBench bench(renderer, std::move(*seed), std::move(*models), effort, out);
+    std::vector<Case> cases;
+    for (const ViewRule view : {ViewRule::cameraForward, ViewRule::towardEntity}) {
+        for (const bool moving : {false, true}) {
+            cases.push_back({Way::sprite, view, moving, 0.0});
+            if (moving) cases.push_back({Way::sprite, view, moving, kUsualViewStepDegrees});
+            cases.push_back({Way::singlePass, view, moving, 0.0});
+            if (view == ViewRule::cameraForward) cases.push_back({Way::seed, view, moving, 0.0});
         }
     }
+    for (const Case& what : cases)
+        if (Status status = bench.run(what); !status) return status;
     return {};
 }
 

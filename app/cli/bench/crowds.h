@@ -7,8 +7,15 @@
 namespace voxprite::bench {
 
 // Adds the figures of scenes of 1 to 100,000 entities of 16 models (10,000 with `quick`): both
-// views, a still and a moving camera, both modes. A scene that would take too long for one frame is
-// left out, with the reason in its figure. Needs a current GL context.
+// views, a still and a moving camera, with views snapped and not, both modes, and the
+// specification's own way (`seed`; it knows camera_forward alone). Where a frame would take too
+// long the scene is left out, with the reason in its figure. Needs a current GL context.
 [[nodiscard]] Status benchCrowds(SceneRenderer& renderer, const Effort& effort, Json& out);
+
+// Adds one sprite that fills the picture, 8 screen pixels a virtual pixel, seen anew in every
+// frame: `timesFaster` is the time of single_pass over that of the sprite buffer (cast, outline
+// and blit together). The pictures of both modes are compared first: a difference is a failure.
+[[nodiscard]] Status benchOneSprite(SceneRenderer& renderer, const std::vector<BenchModel>& models,
+                                    const Effort& effort, Json& out);
 
 }  // namespace voxprite::bench

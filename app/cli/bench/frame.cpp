@@ -121,7 +121,11 @@ Result<Json> benchFrame(const std::vector<BenchModel>& models, const Effort& eff
     Json figures = Json::array();
     FrameBench bench(*renderer, *voxelView, effort, figures);
     for (const BenchModel& model : models) {
+        progress(effort, "frame: " + model.name);
         if (Status status = bench.run(model); !status) return Failure(status.error());
+    }
+    if (Status status = benchOneSprite(*renderer, models, effort, figures); !status) {
+        return Failure(status.error());
     }
     if (Status status = benchCrowds(*renderer, effort, figures); !status) {
         return Failure(status.error());

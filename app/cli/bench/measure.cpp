@@ -1,4 +1,7 @@
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdio>
 #include <fstream>
 
 #include "app/cli/bench/bench.h"
@@ -55,6 +58,17 @@ double medianMs(const Effort& effort, const std::function<void()>& run) {
         times.push_back(one.milliseconds());
     }
     return median(std::move(times));
+}
+
+void progress(const Effort& effort, const std::string& what) {
+    if (!effort.quick) std::fprintf(stderr, "%s\n", what.c_str());
+}
+
+std::uint64_t processBytes() {
+    std::ifstream statm("/proc/self/statm");
+    std::uint64_t pages = 0, resident = 0;
+    statm >> pages >> resident;
+    return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
 }  // namespace voxprite::bench

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/cli/conformance/gpu_probe.h"
+
 namespace voxprite::conformance {
 
 void Sweep::count(bool good, const std::string& name) {
@@ -16,8 +18,15 @@ bool Sweep::held() const {
 }
 
 std::vector<Sweep> sweepExtremes() {
-    return {sweepTurns(), sweepSizes(),   sweepScales(), sweepPositions(), sweepCameras(),
-            sweepProxy(), sweepAnchors(), sweepInputs(), sweepGpu()};
+    GpuProbe probe;
+    std::vector<Sweep> sweeps;
+    for (Sweep (*const sweep)(GpuProbe&) :
+         {sweepTurns, sweepSizes, sweepScales, sweepPositions, sweepCameras, sweepProxy,
+          sweepAnchors, sweepInputs, sweepLattices})
+        sweeps.push_back(sweep(probe));
+    sweeps.push_back(sweepStillness());
+    sweeps.push_back(sweepGpu(probe));
+    return sweeps;
 }
 
 }  // namespace voxprite::conformance

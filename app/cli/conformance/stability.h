@@ -35,16 +35,30 @@ struct Sweep {
 
 [[nodiscard]] std::vector<Sweep> sweepExtremes();
 
+// What a sweep looks at goes through the probe too, so that OpenGL meets the same extremes.
+class GpuProbe;
+
 // Views along axes and diagonals, and those turned by 1e-9 ... 1e-2 rad, against the ideal caster.
-[[nodiscard]] Sweep sweepTurns();
+[[nodiscard]] Sweep sweepTurns(GpuProbe& probe);
 // sigma 1/64 ... 64 on models of one voxel to 256 cubed, empty and full.
-[[nodiscard]] Sweep sweepSizes();
-[[nodiscard]] Sweep sweepScales();     // VoxelSize 1e-6 ... 1e6, scale 1e-3 ... 1e3
-[[nodiscard]] Sweep sweepPositions();  // entities 0 ... 1e9 m from the world's origin
-[[nodiscard]] Sweep sweepCameras();    // distances to 1e7 radii, fields of view, orthographic
-[[nodiscard]] Sweep sweepProxy();      // does the whole outline reach the screen
-[[nodiscard]] Sweep sweepAnchors();    // anchors far outside the model, and up along the view
-[[nodiscard]] Sweep sweepInputs();     // NaN, infinity, denormals and huge numbers in every input
-[[nodiscard]] Sweep sweepGpu();        // sprite buffers of the CPU and of OpenGL
+[[nodiscard]] Sweep sweepSizes(GpuProbe& probe);
+// VoxelSize 1e-6 ... 1e6, scale 1e-3 ... 1e3
+[[nodiscard]] Sweep sweepScales(GpuProbe& probe);
+// Entities 0 ... 1e9 m from the world's origin.
+[[nodiscard]] Sweep sweepPositions(GpuProbe& probe);
+// Distances to 1e7 radii, fields of view, orthographic.
+[[nodiscard]] Sweep sweepCameras(GpuProbe& probe);
+// Does the whole outline reach the screen?
+[[nodiscard]] Sweep sweepProxy(GpuProbe& probe);
+// Anchors far outside the model, and up along the view.
+[[nodiscard]] Sweep sweepAnchors(GpuProbe& probe);
+// NaN, infinity, denormals and huge numbers in every input.
+[[nodiscard]] Sweep sweepInputs(GpuProbe& probe);
+// A view that came from elsewhere, with each of its integers out of place.
+[[nodiscard]] Sweep sweepLattices(GpuProbe& probe);
+// A camera that trembles, and one that turns slowly and back.
+[[nodiscard]] Sweep sweepStillness();
+// Whole sprite buffers, and what the probe saw in the sweeps before.
+[[nodiscard]] Sweep sweepGpu(GpuProbe& probe);
 
 }  // namespace voxprite::conformance

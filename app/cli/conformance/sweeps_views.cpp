@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/cli/conformance/gpu_probe.h"
 #include "app/cli/conformance/stability.h"
 #include "app/cli/conformance/subjects.h"
 #include "core/trace/ideal_caster.h"
@@ -80,7 +81,7 @@ std::vector<NamedView> exactViews() {
 
 }  // namespace
 
-Sweep sweepTurns() {
+Sweep sweepTurns(GpuProbe& probe) {
     Sweep sweep{"turns",
                 "front, side, top, 45 degrees and isometric, turned by 0 and 1e-9 ... 1e-2 rad; "
                 "cube, figure, letters and noise; sigma 0.5 ... 16"};
@@ -98,6 +99,7 @@ Sweep sweepTurns() {
                     const auto lattice = quantiseView(ortho, subject.octree.size);
                     sweep.count(lattice.has_value(), subject.name + ", " + view.name);
                     if (!lattice) continue;
+                    probe.compareWindow(subject, *lattice);
                     const Difference one =
                         differenceToIdeal(subject.octree, ortho, *lattice, 2000, random);
                     (subject.name == "noise" ? noisy : solid) += one;
@@ -122,7 +124,7 @@ Sweep sweepTurns() {
     return sweep;
 }
 
-Sweep sweepSizes() {
+Sweep sweepSizes(GpuProbe& probe) {
     Sweep sweep{"sizes",
                 "sigma 1/64 ... 64 on 1x1x1, 1x1x256, 256x1x1, 256 cubed, odd and even, empty and "
                 "full"};
@@ -150,6 +152,7 @@ Sweep sweepSizes() {
                 }
                 sweep.count(validateLattice(*lattice, subject.octree.size).has_value(),
                             subject.name);
+                probe.compareWindow(subject, *lattice);
                 const Difference one =
                     differenceToIdeal(subject.octree, ortho, *lattice, 2000, random);
                 all += one;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/cli/conformance/finite.h"
+#include "app/cli/conformance/gpu_probe.h"
 #include "app/cli/conformance/outline_lost.h"
 #include "app/cli/conformance/stability.h"
 #include "app/cli/conformance/subjects.h"
@@ -14,33 +15,47 @@ std::string textOf(double number) {
     return std::to_string(number);
 }
 
-// Counts a view as a case: it is seen, finite and its corners map onto themselves. An eye inside
+// Counts views as cases: each is seen, finite and its corners map onto themselves. An eye inside
 // the proxy box, and a buffer beyond the limit, are answers too.
-std::optional<SpriteView> countView(Sweep& sweep, const std::string& name,
+class ViewCounter {
+  public:
+    ViewCounter(Sweep& sweep, GpuProbe& probe) : sweep_(sweep), probe_(probe) {}
+    std::optional<SpriteView> count(const std::string& name, const Subject& subject,
                                     const PlacedEntity& entity, const Camera& camera,
-                                    const GameProfile& profile, double& worstRoundTrip) {
+                                    const GameProfile& profile);
+    [[nodiscard]] Figure roundTripFigure() const {
+        return {"round_trip", "corners of the sprite off themselves, to the screen and back; worst",
+                worstRoundTrip_, 1e-3, "vpx"};
+    }
+
+  private:
+    Sweep& sweep_;
+    GpuProbe& probe_;
+    double worstRoundTrip_ = 0.0;
+};
+
+std::optional<SpriteView> ViewCounter::count(const std::string& name, const Subject& subject,
+                                             const PlacedEntity& entity, const Camera& camera,
+                                             const GameProfile& profile) {
     const auto result = viewSprite(entity, camera, profile);
     if (!result) {
         const bool limit =
             result.error().message.find(std::to_string(kMaxBufferPixels)) != std::string::npos;
-        sweep.refused += limit ? 1 : 0;
-        sweep.count(limit, name + ": " + result.error().message);
+        sweep_.refused += limit ? 1 : 0;
+        sweep_.count(limit, name + ": " + result.error().message);
         return std::nullopt;
     }
     if (!result->view) {
-        sweep.refused += 1;
-        sweep.count(result->unseen == Unseen::cameraInside, name + ": not seen");
+        sweep_.refused += 1;
+        sweep_.count(result->unseen == Unseen::cameraInside, name + ": not seen");
         return std::nullopt;
     }
-    sweep.count(finite(*result->view, camera), name);
+    sweep_.count(finite(*result->view, camera), name);
     const double off = roundTripPx(*result->view, camera);
-    worstRoundTrip = off <= worstRoundTrip ? worstRoundTrip : off;
+    worstRoundTrip_ = off <= worstRoundTrip_ ? worstRoundTrip_ : off;
+    probe_.compareWindow(subject, result->view->lattice);
+    probe_.draw(subject, entity, camera, profile);
     return result->view;
-}
-
-Figure roundTripFigure(double worst) {
-    return {"round_trip", "corners of the sprite off themselves, to the screen and back; worst",
-            worst, 1e-3, "vpx"};
 }
 
 Camera cameraAt(double distance, double nearMetres) {
@@ -51,9 +66,9 @@ Camera cameraAt(double distance, double nearMetres) {
 
 }  // namespace
 
-Sweep sweepScales() {
+Sweep sweepScales(GpuProbe& probe) {
     Sweep sweep{"scales", "VoxelSize 1e-6 ... 1e6 m, scale 1e-3 ... 1e3, sigma 1/4, 4 and 16"};
-    double worst = 0.0;
+    ViewCounter counter(sweep, probe);
     Subject subject = figure();
     for (int power = -6; power <= 6; ++power)
         for (const double scale : {1e-3, 0.01, 0.37, 1.0, 2.0, 30.0, 1e3})
@@ -64,18 +79,18 @@ Sweep sweepScales() {
                 subject.entity.scale = scale;
                 const PlacedEntity entity = subject.centredAt(glm::dvec3(0.0), profile);
                 const double distance = entity.radiusMetres() * 4.0 + profile.voxelSizeMetres * 8.0;
-                countView(sweep, "1e" + std::to_string(power) + " m, scale " + textOf(scale),
-                          entity, cameraAt(distance, distance * 1e-3), profile, worst);
+                counter.count("1e" + std::to_string(power) + " m, scale " + textOf(scale), subject,
+                              entity, cameraAt(distance, distance * 1e-3), profile);
             }
-    sweep.figures = {roundTripFigure(worst)};
+    sweep.figures = {counter.roundTripFigure()};
     return sweep;
 }
 
-Sweep sweepPositions() {
+Sweep sweepPositions(GpuProbe& probe) {
     Sweep sweep{"positions", "entity and camera 0 ... 1e9 m from the world's origin, three views"};
     const GameProfile profile = plainProfile();
     const Subject subject = figure();
-    double worst = 0.0;
+    ViewCounter counter(sweep, probe);
     double jitterAt1e7 = 0.0;
     double jitterAt1e9 = 0.0;
     for (const double yaw : {0.0, 33.0, 160.0}) {
@@ -90,8 +105,8 @@ Sweep sweepPositions() {
                     Camera camera = home;
                     camera.eyeMetres += place;
                     const auto view =
-                        countView(sweep, textOf(metres) + " m", subject.centredAt(place, profile),
-                                  camera, profile, worst);
+                        counter.count(textOf(metres) + " m", subject,
+                                      subject.centredAt(place, profile), camera, profile);
                     if (!view) continue;
                     const glm::dmat3 there = pixelFromScreen(*view, camera);
                     double jitter = 0.0;
@@ -108,16 +123,16 @@ Sweep sweepPositions() {
     sweep.figures = {{"jitter_1e7", "the grid off its place near the origin, to 1e7 m", jitterAt1e7,
                       1e-3, "vpx"},
                      {"jitter_1e9", "the same to 1e9 m", jitterAt1e9, 1e-1, "vpx"},
-                     roundTripFigure(worst)};
+                     counter.roundTripFigure()};
     return sweep;
 }
 
-Sweep sweepCameras() {
+Sweep sweepCameras(GpuProbe& probe) {
     Sweep sweep{"cameras",
                 "just outside the box ... 1e7 radii away, field of view 1 ... 170 degrees and "
                 "orthographic, with and without minification"};
     const Subject subject = figure();
-    double worst = 0.0;
+    ViewCounter counter(sweep, probe);
     for (const bool minification : {false, true})
         for (const ViewRule rule : {ViewRule::towardEntity, ViewRule::cameraForward})
             for (const double radii : {1.02, 1.1, 1.5, 3.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6, 1e7})
@@ -129,14 +144,14 @@ Sweep sweepCameras() {
                     Camera camera = cameraAt(entity.radiusMetres() * radii + 0.05, 0.01);
                     camera.orthographic = fov == 0.0;
                     if (!camera.orthographic) camera.verticalFovDegrees = fov;
-                    countView(sweep, textOf(radii) + " radii, " + textOf(fov) + " degrees", entity,
-                              camera, profile, worst);
+                    counter.count(textOf(radii) + " radii, " + textOf(fov) + " degrees", subject,
+                                  entity, camera, profile);
                 }
-    sweep.figures = {roundTripFigure(worst)};
+    sweep.figures = {counter.roundTripFigure()};
     return sweep;
 }
 
-Sweep sweepProxy() {
+Sweep sweepProxy(GpuProbe& probe) {
     Sweep sweep{
         "proxy",
         "outlines from 1.3 to 6 radii away, field of view 20 ... 120 degrees, off the axis"};
@@ -145,7 +160,7 @@ Sweep sweepProxy() {
     lit.outline.colour = kInk;
     double lost = 0.0;
     double outlines = 0.0;
-    double worst = 0.0;
+    ViewCounter counter(sweep, probe);
     for (const Subject& subject : {letters(), solidBox({10, 20, 6})})
         for (const OrbitAngles angles : {OrbitAngles{0, 0, 0}, {45, 35, 0}, {70, -20, 0}})
             for (const double radii : {1.3, 2.5, 6.0})
@@ -155,8 +170,7 @@ Sweep sweepProxy() {
                     PlacedEntity entity = subject.centredAt(glm::dvec3(0.0), profile);
                     camera.eyeMetres = -camera.forward * (radii * entity.radiusMetres() + 0.03);
                     entity.anchorMetres += camera.right * 0.1 - camera.up * 0.05;
-                    const auto view =
-                        countView(sweep, subject.name, entity, camera, profile, worst);
+                    const auto view = counter.count(subject.name, subject, entity, camera, profile);
                     if (!view || view->screenPxPerPx < 1.5) continue;
                     const SpriteBuffer buffer =
                         castSprite(subject.octree.view(), view->lattice, lit);
@@ -166,15 +180,15 @@ Sweep sweepProxy() {
     sweep.figures = {
         {"outline_lost", "outline pixels lost", lost, 0.0, "pixels"},
         {"outline", "outline pixels", outlines, std::numeric_limits<double>::infinity(), "pixels"},
-        roundTripFigure(worst)};
+        counter.roundTripFigure()};
     return sweep;
 }
 
-Sweep sweepAnchors() {
+Sweep sweepAnchors(GpuProbe& probe) {
     Sweep sweep{"anchors",
                 "anchors 0 ... 1e9 voxels outside the model, both registrations; the view along "
                 "the world's up"};
-    double worst = 0.0;
+    ViewCounter counter(sweep, probe);
     double moved = 0.0;
     Subject subject = figure();
     for (const Registration registration : {Registration::modelCentre, Registration::anchor})
@@ -185,8 +199,8 @@ Sweep sweepAnchors() {
                     profile.registration = registration;
                     subject.entity.anchorVoxels = glm::dvec3(16, 8, 0) + way * voxels;
                     const PlacedEntity entity = subject.centredAt(glm::dvec3(0.0), profile);
-                    const auto view = countView(sweep, textOf(voxels) + " voxels", entity,
-                                                orbit(0, pitch, 12), profile, worst);
+                    const auto view = counter.count(textOf(voxels) + " voxels", subject, entity,
+                                                    orbit(0, pitch, 12), profile);
                     if (view && voxels <= 1e6)
                         moved = std::max(moved, glm::length(view->centreFromEyeMetres -
                                                             orbit(0, pitch, 12).forward * 12.0) /
@@ -194,7 +208,7 @@ Sweep sweepAnchors() {
                 }
     sweep.figures = {
         {"centre", "the sprite's centre off its place, to 1e6 voxels", moved, 1e-3, "vpx"},
-        roundTripFigure(worst)};
+        counter.roundTripFigure()};
     return sweep;
 }
 

@@ -1,0 +1,19 @@
+// Tables for people: columns of blanks on a terminal, or Markdown for a page.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace voxprite::cli {
+
+enum class TableStyle : std::uint8_t { plain, markdown };
+
+// Every row has as many cells as the first, which is the head.
+[[nodiscard]] std::string textOf(const std::vector<std::vector<std::string>>& rows,
+                                 TableStyle style);
+
+// Four digits, without trailing zeros.
+[[nodiscard]] std::string textOf(double number);
+
+}  // namespace voxprite::cli
