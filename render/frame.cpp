@@ -3,12 +3,24 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <bit>
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>
 
 namespace voxprite {
 
 namespace {
+
+constexpr float kFarthest = 0.0f;
+
+// Words of RGBA8 have red in their lowest byte.
+static_assert(std::endian::native == std::endian::little);
+
+void allowClearing() {
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_SCISSOR_TEST);
+}
 
 template <class T>
 void flipRows(std::vector<T>& values, int width) {
@@ -45,6 +57,10 @@ void Frame::resize(glm::ivec2 sizePx) {
     framebuffer_ = gl::createFramebuffer();
     glNamedFramebufferTexture(framebuffer_.id(), GL_COLOR_ATTACHMENT0, colour_.id(), 0);
     glNamedFramebufferTexture(framebuffer_.id(), GL_DEPTH_ATTACHMENT, depth_.id(), 0);
+    words_ = gl::createTextureView(colour_, GL_R32UI);
+    wordsFramebuffer_ = gl::createFramebuffer();
+    glNamedFramebufferTexture(wordsFramebuffer_.id(), GL_COLOR_ATTACHMENT0, words_.id(), 0);
+    glNamedFramebufferTexture(wordsFramebuffer_.id(), GL_DEPTH_ATTACHMENT, depth_.id(), 0);
 }
 
 void Frame::bind() {
@@ -52,15 +68,25 @@ void Frame::bind() {
     glViewport(0, 0, sizePx_.x, sizePx_.y);
 }
 
+void Frame::bindWords() {
+    glBindFramebuffer(GL_FRAMEBUFFER, wordsFramebuffer_.id());
+    glViewport(0, 0, sizePx_.x, sizePx_.y);
+}
+
 void Frame::begin(Rgba8 background) {
     bind();
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_SCISSOR_TEST);
+    allowClearing();
     const glm::vec4 colour = glm::vec4(background) / 255.0f;
-    const float farthest = 0.0f;
-    glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, 0, &colour.x);
-    glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &farthest);
+    glClearBufferfv(GL_COLOR, 0, &colour.x);
+    glClearBufferfv(GL_DEPTH, 0, &kFarthest);
+}
+
+void Frame::beginWords(Rgba8 background) {
+    bindWords();
+    allowClearing();
+    const glm::uvec4 colour(std::bit_cast<std::uint32_t>(background), 0, 0, 0);
+    glClearBufferuiv(GL_COLOR, 0, &colour.x);
+    glClearBufferfv(GL_DEPTH, 0, &kFarthest);
 }
 
 Image Frame::readColour() const {

@@ -18,6 +18,10 @@ class Frame {
     // Binds it, sets the viewport and clears colour and depth.
     void begin(Rgba8 background);
     void bind();  // to draw more onto it
+    // The same with the colours as words of RGBA8 (R32UI, red lowest): for what moves colours and
+    // does not compute with them.
+    void beginWords(Rgba8 background);
+    void bindWords();
     [[nodiscard]] glm::ivec2 sizePx() const { return sizePx_; }
     // Rows bottom first, as GL has them: show it flipped.
     [[nodiscard]] std::uint32_t colourTexture() const { return colour_.id(); }
@@ -29,6 +33,8 @@ class Frame {
     gl::Texture colour_;
     gl::Texture depth_;
     gl::Framebuffer framebuffer_;
+    gl::Texture words_;  // a view of colour_
+    gl::Framebuffer wordsFramebuffer_;
 };
 
 }  // namespace voxprite

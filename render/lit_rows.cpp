@@ -22,8 +22,8 @@ std::optional<int> LitRows::rowOf(std::uint64_t number, const LitPalette& lit) {
     const int row = kRowsEach * used;
     for (int axis = 0; axis < kRowsEach; ++axis) {
         const ShadedColours& face = lit.faces[static_cast<std::size_t>(axis)];
-        glTextureSubImage2D(texture_.id(), 0, 0, row + axis, kColumns, 1, GL_RGBA, GL_UNSIGNED_BYTE,
-                            face.data());
+        glTextureSubImage2D(texture_.id(), 0, 0, row + axis, kColumns, 1, GL_RED_INTEGER,
+                            GL_UNSIGNED_INT, face.data());
     }
     rows_.emplace(number, row);
     return row;
@@ -33,7 +33,7 @@ void LitRows::grow() {
     const int before = capacity_;
     capacity_ = std::clamp(2 * before, kFewPalettes, kMostPalettes);
     gl::Texture larger = gl::createTexture2d();
-    glTextureStorage2D(larger.id(), 1, GL_RGBA8, kColumns, kRowsEach * capacity_);
+    glTextureStorage2D(larger.id(), 1, GL_R32UI, kColumns, kRowsEach * capacity_);
     glTextureParameteri(larger.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(larger.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     if (before > 0) {

@@ -1,4 +1,5 @@
-// Lit palettes as a texture: column = material, three rows each, one for each axis of faces.
+// Lit palettes as a texture of words of RGBA8: column = material, three rows each, one for each
+// axis of faces.
 #pragma once
 
 #include <cstdint>

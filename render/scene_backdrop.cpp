@@ -106,7 +106,7 @@ Result<SceneBackdrop> SceneBackdrop::create() {
 }
 
 void SceneBackdrop::draw(const Scene& scene, const Camera& camera) {
-    if (!scene.sky && !scene.ground) return;
+    if (isEmpty(scene)) return;
     glBindVertexArray(nothing_.id());
     drawPlane(scene, camera);
     // Shadows lie on the ground: seen from below there is nothing to lie on.

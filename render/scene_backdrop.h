@@ -14,6 +14,7 @@ class SceneBackdrop {
     [[nodiscard]] static Result<SceneBackdrop> create();
     // Onto the bound frame, which is clear. Only the ground writes depth.
     void draw(const Scene& scene, const Camera& camera);
+    [[nodiscard]] static bool isEmpty(const Scene& scene) { return !scene.sky && !scene.ground; }
 
   private:
     void drawPlane(const Scene& scene, const Camera& camera);

@@ -214,7 +214,7 @@ Status SceneRenderer::Impl::flush(Pass& pass) {
 }
 
 Status SceneRenderer::Impl::drawRuns(Pass& pass) {
-    pass.frame.bind();
+    pass.frame.bindWords();
     sprites.bind(BufferBinding::sprites);
     corners.bind(BufferBinding::spriteCorners);
     const bool buffered = pass.mode == SpriteMode::spriteBuffer;
@@ -232,7 +232,7 @@ Status SceneRenderer::Impl::drawRuns(Pass& pass) {
         if (!run.narrow && (pass.deep() || !buffered)) variants |= kWideLattice;
         if (const Status ready = (buffered ? blit : single).use(variants); !ready) return ready;
         if (buffered) {
-            bindTexture(TextureUnit::spriteColours, run.sheet->colours.id());
+            glBindImageTexture(0, run.sheet->colours.id(), 0, GL_TRUE, 0, GL_READ_ONLY, GL_R32UI);
             if (pass.deep()) bindTexture(TextureUnit::spriteIds, run.sheet->ids.id());
         } else {
             bindTexture(TextureUnit::svo, run.octreeTexture);
@@ -289,8 +289,12 @@ Result<SceneStats> SceneRenderer::draw(Frame& frame, const Scene& scene, const C
         stats.sigmaInForce = sprites.front()->sigmaInForce;
         stats.screenPxPerPx = sprites.front()->screenPxPerPx;
     }
-    frame.begin(scene.background);
-    impl_->backdrop.draw(scene, camera);
+    if (SceneBackdrop::isEmpty(scene)) {
+        frame.beginWords(scene.background);
+    } else {
+        frame.begin(scene.background);
+        impl_->backdrop.draw(scene, camera);
+    }
     Pass pass{frame, camera, profile, mode, stats};
     if (const Status drawn = impl_->drawSprites(pass); !drawn) {
         return tl::unexpected(drawn.error());

@@ -14,9 +14,9 @@ constexpr std::uint64_t kBytesPerTexel = 4;  // of both textures
 // room is needed.
 constexpr std::uint64_t kFramesKept = 3;
 
-gl::Texture pageArray(GLenum format, glm::ivec3 size) {
+gl::Texture pageArray(glm::ivec3 size) {
     gl::Texture texture = gl::createTexture2dArray();
-    glTextureStorage3D(texture.id(), 1, format, size.x, size.y, size.z);
+    glTextureStorage3D(texture.id(), 1, GL_R32UI, size.x, size.y, size.z);
     glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     return texture;
@@ -36,8 +36,8 @@ glm::ivec2 roomySize(glm::ivec2 size) {
 }  // namespace
 
 SpriteSheet::SpriteSheet(glm::ivec3 pagesSize, bool withIds)
-    : colours(pageArray(GL_RGBA8, pagesSize)), size(pagesSize) {
-    if (withIds) ids = pageArray(GL_R32UI, pagesSize);
+    : colours(pageArray(pagesSize)), size(pagesSize) {
+    if (withIds) ids = pageArray(pagesSize);
     const GLenum targets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     for (int page = 0; page < size.z; ++page) {
         const gl::Framebuffer& framebuffer = framebuffers.emplace_back(gl::createFramebuffer());

@@ -17,7 +17,7 @@ namespace voxprite {
 
 // Pages of finished sprites: texture arrays, and a framebuffer for each page.
 struct SpriteSheet {
-    gl::Texture colours;  // RGBA8
+    gl::Texture colours;  // R32UI: words of RGBA8
     gl::Texture ids;      // R32UI; only a depth for each pixel needs them
     std::vector<gl::Framebuffer> framebuffers;
     glm::ivec3 size{0};  // of a page, and how many

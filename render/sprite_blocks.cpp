@@ -1,6 +1,7 @@
 #include "render/sprite_blocks.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -163,7 +164,7 @@ SpriteCorners screenCorners(const SpriteView& view, const LatticeView& visible,
 SpriteDrawBlock drawBlock(const Outline& outline) {
     SpriteDrawBlock block;
     block.outline_enabled = outline.enabled ? 1 : 0;
-    block.outline_colour = glm::vec4(glm::vec3(outline.colour), 255.0f) / 255.0f;
+    block.outline_colour = std::bit_cast<std::uint32_t>(outline.colour) | 0xFF00'0000u;
     return block;
 }
 

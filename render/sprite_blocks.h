@@ -51,15 +51,15 @@ using SpriteCorners = std::array<glm::vec4, 8>;
 
 // SpriteDraw
 struct SpriteDrawBlock {
-    glm::vec4 outline_colour{0.0f, 0.0f, 0.0f, 1.0f};
     glm::vec4 depth_from_metres{0.0f};
     glm::vec2 target_size{0.0f};
+    std::uint32_t outline_colour = 0xFF00'0000u;
     std::int32_t outline_enabled = 1;
     std::int32_t first_sprite = 0;
     std::int32_t sprite_count = 0;
-    std::array<std::int32_t, 3> padding{};
+    std::array<std::int32_t, 2> padding{};
 };
-static_assert(sizeof(SpriteDrawBlock) == 64);
+static_assert(sizeof(SpriteDrawBlock) == 48);
 
 // Can the shaders cast these rays in plain ints? All products must fit, and positions stay below
 // 2^22 steps, so that a quotient taken in single precision is off by one at most.

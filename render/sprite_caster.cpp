@@ -24,9 +24,9 @@ std::int64_t area(glm::ivec2 size) {
     return std::int64_t{size.x} * size.y;
 }
 
-gl::Texture dataTexture(GLenum format, glm::ivec2 size) {
+gl::Texture dataTexture(glm::ivec2 size) {
     gl::Texture texture = gl::createTexture2d();
-    glTextureStorage2D(texture.id(), 1, format, size.x, size.y);
+    glTextureStorage2D(texture.id(), 1, GL_R32UI, size.x, size.y);
     glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     return texture;
@@ -45,7 +45,7 @@ void readTile(const SpriteTextures& textures, glm::ivec2 corner, glm::ivec2 size
     std::vector<std::uint32_t> ids(count);
     const auto bytes = static_cast<GLsizei>(4 * count);
     glGetTextureSubImage(textures.colours.id(), 0, corner.x, corner.y, 0, size.x, size.y, 1,
-                         GL_RGBA, GL_UNSIGNED_BYTE, bytes, colours.data());
+                         GL_RED_INTEGER, GL_UNSIGNED_INT, bytes, colours.data());
     glGetTextureSubImage(textures.ids.id(), 0, corner.x, corner.y, 0, size.x, size.y, 1,
                          GL_RED_INTEGER, GL_UNSIGNED_INT, bytes, ids.data());
     for (int y = 0; y < size.y; ++y) {
@@ -60,11 +60,11 @@ void readTile(const SpriteTextures& textures, glm::ivec2 corner, glm::ivec2 size
 }  // namespace
 
 SpriteTextures::SpriteTextures(glm::ivec2 size, bool withIds)
-    : colours(dataTexture(GL_RGBA8, size)), framebuffer(gl::createFramebuffer()), capacity(size) {
+    : colours(dataTexture(size)), framebuffer(gl::createFramebuffer()), capacity(size) {
     const GLenum targets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     glNamedFramebufferTexture(framebuffer.id(), GL_COLOR_ATTACHMENT0, colours.id(), 0);
     if (withIds) {
-        ids = dataTexture(GL_R32UI, size);
+        ids = dataTexture(size);
         glNamedFramebufferTexture(framebuffer.id(), GL_COLOR_ATTACHMENT1, ids.id(), 0);
     }
     glNamedFramebufferDrawBuffers(framebuffer.id(), withIds ? 2 : 1, targets);
@@ -162,10 +162,9 @@ Status SpriteCaster::castSinglePass(const CastJob& job, std::uint32_t litRows,
     gl::apply({});
     if (const Status ready = single_.use(job.narrow ? kPlain : kWideLattice); !ready) return ready;
     beginTarget(target.framebuffer.id(), job.block.region_size);
-    const glm::vec4 noColour(0.0f);
-    const glm::uvec4 noId(kIdEmpty);
-    glClearNamedFramebufferfv(target.framebuffer.id(), GL_COLOR, 0, &noColour.x);
-    glClearNamedFramebufferuiv(target.framebuffer.id(), GL_COLOR, 1, &noId.x);
+    const glm::uvec4 empty(kIdEmpty);
+    glClearNamedFramebufferuiv(target.framebuffer.id(), GL_COLOR, 0, &empty.x);
+    glClearNamedFramebufferuiv(target.framebuffer.id(), GL_COLOR, 1, &empty.x);
     SpriteDrawBlock block = drawBlock(outline);
     block.sprite_count = 1;
     shapes_.draw(block);

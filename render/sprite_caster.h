@@ -17,7 +17,7 @@ namespace voxprite {
 
 // A sprite buffer in textures (bottom row first), which may be larger than the sprite.
 struct SpriteTextures {
-    gl::Texture colours;  // RGBA8
+    gl::Texture colours;  // R32UI: words of RGBA8
     gl::Texture ids;      // R32UI, if wanted
     gl::Framebuffer framebuffer;
     glm::ivec2 capacity{0};
@@ -42,7 +42,7 @@ class SpriteCaster {
     [[nodiscard]] static Status checkSize(glm::ivec2 size);
 
     // All finished sprites, in few draws: for each framebuffer one with rays and one for outlines.
-    // Framebuffers hold RGBA8, and R32UI `withIds`. Changes the order of the jobs.
+    // Framebuffers hold R32UI, twice `withIds`. Changes the order of the jobs.
     [[nodiscard]] Status cast(std::vector<CastJob>& jobs, std::uint32_t litRows,
                               const Outline& outline, bool withIds);
 

@@ -3,9 +3,10 @@
 
 #include "shared/sprite_mapping.glsl"
 
-layout(binding = 2) uniform sampler2DArray sprite_colours;
+// An image: there are no levels to choose from, which a software rasteriser would do for each pixel.
+layout(binding = 0, r32ui) readonly uniform uimage2DArray sprite_image;
 
-layout(location = 0) out vec4 colour;
+layout(location = 0) out uint colour;
 
 #ifdef PER_PIXEL_DEPTH
 #include "shared/sprite_depth.glsl"
@@ -29,8 +30,8 @@ float outlineDepth(ivec2 cell) {
 void main() {
     ivec2 cell;
     if (!virtualPixel(gl_FragCoord.xy, cell)) discard;
-    colour = texelFetch(sprite_colours, atlas_place + ivec3(cell, 0), 0);
-    if (colour.a == 0.0) discard;
+    colour = imageLoad(sprite_image, atlas_place + ivec3(cell, 0)).r;
+    if (colour == 0u) discard;
 #ifdef PER_PIXEL_DEPTH
     bool outline = texelFetch(sprite_ids, atlas_place + ivec3(cell, 0), 0).r == kIdOutline;
     gl_FragDepth = outline ? outlineDepth(cell) : voxelDepth(cell);

@@ -5,9 +5,9 @@
 #include "shared/sprite_draw.glsl"
 #include "shared/sprite_mapping.glsl"
 
-layout(binding = 1) uniform sampler2D palette_texture;  // lit; column = material, row = face axis
+layout(binding = 1) uniform usampler2D palette_texture;  // lit; column = material, row = face axis
 
-layout(location = 0) out vec4 colour;
+layout(location = 0) out uint colour;
 layout(location = 1) out uint id;
 
 #ifdef PER_PIXEL_DEPTH
@@ -33,7 +33,7 @@ void main() {
         LatticeHit hit = castLattice(neighbour + region_first);
         if (hit.material == 0u) continue;
         if (k == 0) {
-            colour = texelFetch(palette_texture, ivec2(int(hit.material), palette_row + hit.face_axis), 0);
+            colour = texelFetch(palette_texture, ivec2(int(hit.material), palette_row + hit.face_axis), 0).r;
             id = voxelId(hit);
         } else {
             colour = outline_colour;

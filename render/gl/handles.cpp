@@ -38,6 +38,12 @@ Texture createTexture2d() {
 Texture createTexture2dArray() {
     return created<Texture>([](auto* id) { glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, id); });
 }
+Texture createTextureView(const Texture& texture, std::uint32_t format) {
+    std::uint32_t id = 0;
+    glGenTextures(1, &id);
+    glTextureView(id, GL_TEXTURE_2D, texture.id(), format, 0, 1, 0, 1);
+    return Texture{id};
+}
 Buffer createBuffer() {
     return created<Buffer>([](auto* id) { glCreateBuffers(1, id); });
 }

@@ -48,6 +48,8 @@ using Query = Handle<deleteQuery>;
 
 [[nodiscard]] Texture createTexture2d();
 [[nodiscard]] Texture createTexture2dArray();
+// The texels of an immutable 2D texture of one level, as another format of the same size.
+[[nodiscard]] Texture createTextureView(const Texture& texture, std::uint32_t format);
 [[nodiscard]] Buffer createBuffer();
 [[nodiscard]] Framebuffer createFramebuffer();
 [[nodiscard]] VertexArray createVertexArray();

@@ -6,13 +6,10 @@
 // False outside the region. The cell counts from the region's left and bottom.
 bool virtualPixel(vec2 screen, out ivec2 cell) {
     precise vec2 offset = screen - screen_reference;
-    precise vec3 uvw = pixel_from_screen_x * offset.x + pixel_from_screen_y * offset.y +
-                       pixel_from_screen_1;
-    precise vec2 uv = floor(uvw.xy / uvw.z);
-    if (!(uvw.z > 0.0) || any(lessThan(uv, vec2(0))) ||
-        any(greaterThanEqual(uv, vec2(region_size)))) {
-        return false;
-    }
+    precise vec3 uvw = fma(pixel_from_screen_x, vec3(offset.x),
+                           fma(pixel_from_screen_y, vec3(offset.y), pixel_from_screen_1));
+    precise vec2 uv = floor(uvw.xy * (1.0 / uvw.z));
     cell = ivec2(uv);
-    return true;
+    // Below zero is beyond the region's end, and what an int does not hold is either.
+    return uvw.z > 0.0 && all(lessThan(uvec2(cell), uvec2(region_size)));
 }
