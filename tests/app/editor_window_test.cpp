@@ -121,7 +121,8 @@ TEST_F(EditorInAWindow, ToolsDragAcrossTheModel) {
 
     key("u");
     key("t");
-    drag(centreOf("view.edit"), centreOf("view.edit") + glm::ivec2(24, 6));
+    drag(centreOf("view.edit"), centreOf("view.edit") + glm::ivec2(64, 16));
+    key("Return");
     await("a box", [](const Json& now) { return now.at("state").at("voxels") > 961; });
     EXPECT_EQ(state().at("steps"), 1);
 }
