@@ -13,7 +13,7 @@ namespace voxprite::editor {
 namespace {
 
 // Free room around everyone, as a share of what they reach.
-constexpr double kAir = 1.25;
+constexpr double kAir = 1.1;
 constexpr double kGoldenAngle = 2.399963229728653;
 
 // A hash as a random number in [0, 1): the same for the same copy, however many others there are.

@@ -20,7 +20,7 @@ enum class CopyPattern : std::uint8_t {
 
 inline constexpr int kMostCopies = 10'000;
 // Closer, and models would stand in each other.
-inline constexpr double kLeastSpacing = 0.8;
+inline constexpr double kLeastSpacing = 0.92;
 inline constexpr double kMostSpacing = 8.0;
 inline constexpr int kMostPictureScale = 16;
 

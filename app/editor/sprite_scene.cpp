@@ -6,10 +6,10 @@
 namespace voxprite::editor {
 namespace {
 
-// The edited model grows while it is drawn: room is made in steps of a quarter octave, so that the
-// copies do not shift with every voxel.
+// The edited model grows while it is drawn: room is made in steps of an eighth of an octave, so
+// that the copies do not shift with every voxel.
 double inSteps(double reach) {
-    return reach > 0.0 ? std::exp2(std::ceil(std::log2(reach) * 4.0) / 4.0) : 0.0;
+    return reach > 0.0 ? std::exp2(std::ceil(std::log2(reach) * 8.0) / 8.0) : 0.0;
 }
 
 PlacedEntity placedOnGround(const Entity& entity, const IBox& bounds, const GameProfile& profile) {

@@ -60,11 +60,12 @@ void SpriteViewport::frameScene(const Session& session) {
     const PlacedEntity placed = session.placedInGame();
     const double reach = std::max(scene_.radiusMetres(), placed.radiusMetres());
     std::vector<glm::dvec3> points;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 side((corner & 1) != 0 ? reach : -reach, 0.0,
-                              (corner & 2) != 0 ? reach : -reach);
-        const double up = (corner & 4) != 0 ? placed.modelSize.z * placed.metresPerVoxel() : 0.0;
-        points.push_back(placed.anchorMetres + side + glm::dvec3(0.0, up, 0.0));
+    for (const double height : {0.0, placed.modelSize.z * placed.metresPerVoxel()}) {
+        for (double degrees = 0.0; degrees < 360.0; degrees += 30.0) {
+            const SinCos around = sinCosDegrees(degrees);
+            points.push_back(placed.anchorMetres +
+                             glm::dvec3(reach * around.cos, height, reach * around.sin));
+        }
     }
     // From level with the ground the first rank would hide all others.
     camera_.pitchDegrees = std::max(camera_.pitchDegrees, 25.0);
@@ -91,7 +92,8 @@ void SpriteViewport::show(Ui& ui, ImVec2 min, ImVec2 size) {
         scene_.advance(static_cast<double>(ImGui::GetIO().DeltaTime), ui.session, settings);
     }
     ui.figures.scene = figures_;
-    if (areas_.size() > 1) {
+    // Cells that have just been asked for have no pictures yet.
+    if (areas_.size() > 1 && cells_.size() == areas_.size()) {
         showCells(ui, input);
     } else {
         showAlone(ui, input);
@@ -229,7 +231,7 @@ Result<bool> SpriteViewport::render(const Session& session, const GpuOctree& oct
     std::ranges::move(scene_.follow(session, settings.scene), std::back_inserter(problems_));
     const SigmaComparison& comparison = settings.scene.comparison;
     const Shown wanted{octree.revision(), session.revision(), scene_.revision(), camera_,
-                       canvas_.sizePx(),  settings.view,      comparison};
+                       canvas_.sizePx(),  areas_.size(),      settings.view,     comparison};
     if (shown_ == wanted && !settings.scene.everyFrame) return false;
     prepareCells();
     Status done;

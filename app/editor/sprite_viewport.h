@@ -71,6 +71,7 @@ class SpriteViewport {
         std::uint64_t scene = 0;
         OrbitCamera camera;
         glm::ivec2 sizePx{0};
+        std::size_t cells = 1;
         ViewSettings view;
         SigmaComparison comparison;
         bool operator==(const Shown&) const = default;

@@ -178,7 +178,7 @@ bool switchRow(Ui& ui, const char* name, const char* label, bool& value, const c
 bool choiceRow(Ui& ui, const char* name, const char* label, int& value,
                std::span<const Choice> choices) {
     const Theme& theme = ui.theme;
-    rowLabel(ui, label);
+    if (label != nullptr) rowLabel(ui, label);
     const auto count = static_cast<float>(choices.size());
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float full = ImGui::GetContentRegionAvail().x, height = theme.px(kRowHeight);

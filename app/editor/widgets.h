@@ -33,7 +33,7 @@ void rowLabel(Ui& ui, const char* label, const char* hint = nullptr);
                                 const Range& typed = {1.0 / 64.0, 64.0, 0.02, "%.4g"});
 [[nodiscard]] bool switchRow(Ui& ui, const char* name, const char* label, bool& value,
                              const char* hint = nullptr);
-// One of a few, side by side.
+// One of a few, side by side. Without a label they take the whole width.
 struct Choice {
     const char* label;
     const char* hint;

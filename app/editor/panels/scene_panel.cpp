@@ -13,7 +13,7 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr std::array kPatterns{Choice{"None", "Only the edited model"},
+constexpr std::array kPatterns{Choice{"Alone", "Only the edited model"},
                                Choice{"Grid", "Copies in rows and columns around it"},
                                Choice{"Crowd", "Copies at random places around it"},
                                Choice{"March", "Ranks of copies that walk past it"}};
@@ -46,13 +46,17 @@ void seedRow(Ui& ui, int& seed) {
     }
 }
 
-void drawCopies(Ui& ui) {
-    SceneSettings& scene = ui.settings.scene;
-    CopySettings& copies = scene.copies;
-    if (enumRow(ui, "scene.pattern", "Copies", copies.pattern, kPatterns) &&
+void drawPattern(Ui& ui) {
+    CopySettings& copies = ui.settings.scene.copies;
+    if (enumRow(ui, "scene.pattern", nullptr, copies.pattern, kPatterns) &&
         copies.pattern == CopyPattern::march) {
         ui.settings.view.playing = true;
     }
+}
+
+void drawCopies(Ui& ui) {
+    SceneSettings& scene = ui.settings.scene;
+    CopySettings& copies = scene.copies;
     if (copies.pattern == CopyPattern::none) return;
     auto count = static_cast<double>(copies.count);
     if (logSliderRow(ui, "scene.count", "How many", count, 1.0, kMostCopies, snapCount,
@@ -217,6 +221,10 @@ void drawTimes(Ui& ui, std::span<const float> times) {
 
 void drawCost(Ui& ui) {
     if (!section(ui, "Cost of the last picture")) return;
+    GameProfile profile = ui.session.profile();
+    if (enumRow(ui, "scene.mode", "Mode", profile.mode, kModes)) {
+        ui.edits.push("Mode", ProfileEdit{ui.session.profile(), profile}, false);
+    }
     const SceneFigures& figures = ui.figures.scene;
     const SceneStats& stats = figures.stats;
     const auto count = [](auto number) { return grouped(static_cast<std::uint64_t>(number)); };
@@ -243,13 +251,10 @@ void drawCost(Ui& ui) {
 
 void drawScene(Ui& ui) {
     ImGui::BeginChild("scene");
+    drawPattern(ui);
+    drawCamera(ui);
     drawCopies(ui);
     drawModels(ui);
-    drawCamera(ui);
-    GameProfile profile = ui.session.profile();
-    if (enumRow(ui, "scene.mode", "Mode", profile.mode, kModes)) {
-        ui.edits.push("Mode", ProfileEdit{ui.session.profile(), profile}, false);
-    }
     drawCost(ui);
     ImGui::EndChild();
 }
