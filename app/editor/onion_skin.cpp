@@ -5,8 +5,8 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr Rgba8 kBefore(235, 92, 92, 84);
-constexpr Rgba8 kAfter(92, 170, 235, 84);
+constexpr Rgba8 kBefore(235, 92, 92, 104);
+constexpr Rgba8 kAfter(92, 170, 235, 104);
 
 // Equal sources are equal octrees: the same voxels in the same places.
 std::vector<std::uint64_t> sourceOf(const Session& session, int frame, const IBox& bounds) {

@@ -45,7 +45,7 @@ std::string hintOf(const ToolSettings& settings, EditMode mode, bool busy) {
         case ToolKind::anchor:
             return "Click a voxel for the anchor; Shift: its face";
         case ToolKind::socket:
-            return "Click a voxel for a socket; Shift: its face. Drag one to move it";
+            return "Click for a socket; Shift: on the face";
         case ToolKind::laser:
             return "Laser";
         case ToolKind::stamp:

@@ -33,7 +33,11 @@ void drawToolbar(Ui& ui) {
     };
     for (const CommandId id : kFirst) button(id, id == kFirst.back() ? theme.px(10) : gap);
     for (const CommandId id : kSecond) button(id, id == kSecond.back() ? theme.px(10) : gap);
-    button(CommandId::addFrame, 0.0f);
+    const std::string animate = nameWithKey(CommandId::addFrame, ui.settings.input.keys);
+    if (iconButton(ui, "objects.addFrame", icon::kFilm, Lit::off, square, animate.c_str())) {
+        ui.commands.ask(CommandId::addFrame);
+    }
+    ImGui::SameLine(0.0f, 0.0f);
     ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - square);
     button(CommandId::deleteObject, 0.0f);
     ImGui::NewLine();
@@ -86,9 +90,9 @@ void drawSocket(Ui& ui, int index) {
         ui.edits.push(moveSocket(document, index, frame, place, reach, ui.edits.key()));
     }
     if (ui.session.frames() < 2) return;
-    static_cast<void>(switchRow(ui, "socket.thisFrame", "This frame only",
+    static_cast<void>(switchRow(ui, "socket.thisFrame", "This frame",
                                 ui.settings.tool.socketsInThisFrame,
-                                "Moving it leaves the other frames as they are"));
+                                "Moving the socket leaves the other frames as they are"));
 }
 
 }  // namespace

@@ -192,7 +192,7 @@ void drawClips(Ui& ui, const Strip& strip) {
             ImGui::OpenPopup(kClipPopup);
         }
         drawClipPopup(ui, static_cast<int>(i));
-        tooltip(ui, "Click: play this clip alone; double-click: its settings");
+        tooltip(ui, "Plays alone; a double click shows its settings");
         ImGui::PopID();
         draw.AddRectFilled(min, max,
                            on        ? theme.accent
@@ -322,7 +322,7 @@ float timelineHeight(const Theme& theme, const Session& session, const EditorSet
     if (session.frames() < 2 || !settings.window.showsTimeline) return 0.0f;
     const auto lanes = static_cast<float>(laneCount(session.document().clips));
     return 2 * theme.px(kPadding) + theme.px(kBar) + theme.px(4) + lanes * theme.px(kLane) +
-           theme.px(kCell) + theme.px(6);
+           theme.px(kCell) + theme.px(4);
 }
 
 void drawTimeline(Ui& ui) {
