@@ -8,7 +8,7 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr int kLetter = 1, kRun = 5, kWordStart = 8, kTextStart = 4;
+constexpr int kLetter = 1, kRun = 8, kWordStart = 8, kTextStart = 4;
 constexpr int kNone = std::numeric_limits<int>::min() / 2;
 
 char lower(char c) {

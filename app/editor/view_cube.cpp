@@ -20,12 +20,10 @@ struct Face {
     const char* name;
     glm::dvec3 right, up;  // as its name is read, in voxel axes
 };
-constexpr std::array kFaces{Face{1, -1, "FRONT", {1, 0, 0}, {0, 0, 1}},
-                            Face{1, 1, "BACK", {-1, 0, 0}, {0, 0, 1}},
-                            Face{0, 1, "RIGHT", {0, 1, 0}, {0, 0, 1}},
-                            Face{0, -1, "LEFT", {0, -1, 0}, {0, 0, 1}},
-                            Face{2, 1, "TOP", {1, 0, 0}, {0, 1, 0}},
-                            Face{2, -1, "BELOW", {1, 0, 0}, {0, -1, 0}}};
+constexpr std::array kFaces{
+    Face{1, -1, "FRONT", {1, 0, 0}, {0, 0, 1}}, Face{1, 1, "BACK", {-1, 0, 0}, {0, 0, 1}},
+    Face{0, 1, "RIGHT", {0, 1, 0}, {0, 0, 1}},  Face{0, -1, "LEFT", {0, -1, 0}, {0, 0, 1}},
+    Face{2, 1, "TOP", {1, 0, 0}, {0, 1, 0}},    Face{2, -1, "BELOW", {1, 0, 0}, {0, -1, 0}}};
 
 glm::dvec3 normalOf(const Face& face) {
     glm::dvec3 normal(0.0);
@@ -60,7 +58,8 @@ struct Screen {
 void drawName(const Theme& theme, ImDrawList& draw, const Screen& screen, const Face& face,
               ImU32 colour) {
     ImFont* font = theme.fonts.bold;
-    const double perPx = 0.0235 * 21.0 / static_cast<double>(theme.px(kViewCubeHalfEdge));
+    // A name is as wide as its face at most.
+    const double perPx = 0.6 / static_cast<double>(theme.px(kViewCubeHalfEdge));
     const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, face.name);
     const int first = draw.VtxBuffer.Size;
     draw.PushClipRectFullScreen();
@@ -121,8 +120,7 @@ std::optional<glm::ivec3> viewCubePartAt(const OrbitCamera& camera, double halfE
 
 void drawViewCube(const Theme& theme, ImDrawList& draw, ImVec2 middle, const OrbitCamera& camera,
                   const std::optional<glm::ivec3>& lit) {
-    const Screen screen{Axes(camera), middle,
-                        static_cast<double>(theme.px(kViewCubeHalfEdge))};
+    const Screen screen{Axes(camera), middle, static_cast<double>(theme.px(kViewCubeHalfEdge))};
     const bool dark = theme.kind == ThemeKind::dark;
     if (lit) draw.AddCircleFilled(middle, theme.px(kViewCubeRadius), IM_COL32(16, 17, 19, 70), 48);
     for (const Face& face : kFaces) {

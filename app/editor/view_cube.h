@@ -13,7 +13,7 @@ namespace voxprite::editor {
 
 // Half the edge of the drawn cube and the radius around its middle that takes the mouse; at content
 // scale 1.
-inline constexpr float kViewCubeHalfEdge = 21.0f, kViewCubeRadius = 42.0f;
+inline constexpr float kViewCubeHalfEdge = 24.0f, kViewCubeRadius = 46.0f;
 
 // The part of the cube under a point, `fromMiddlePx` from its middle (y down): -1, 0 or 1 on each
 // voxel axis, one of them not 0 for a face, two for an edge, three for a corner. Nothing beside it.

@@ -40,7 +40,8 @@ TEST(EditorNavigation, PresetsAreTheHabitsOfTheirPrograms) {
         EXPECT_EQ(moveByDrag(preset, kLeft, kNone), none);
         EXPECT_EQ(moveByDrag(preset, kLeft, kShift), none);
         EXPECT_EQ(moveByDrag(preset, kLeft, kSpace), pan);
-        if (preset != trackpad) EXPECT_EQ(moveByWheel(preset, kShift), zoom);
+        if (preset == trackpad) continue;
+        EXPECT_EQ(moveByWheel(preset, kShift), zoom);
     }
 }
 
@@ -139,7 +140,8 @@ TEST(EditorViewCube, EachFaceEdgeAndCornerLooksFromThere) {
         EXPECT_NEAR(glm::dot(eye, toward), 1.0, 1e-12);
         // And in the middle of the cube is the part itself.
         EXPECT_EQ(viewCubePartAt(camera, 20.0, {0.0, 0.0}), part);
-        if (part.x == 0 && part.y == 0) EXPECT_EQ(std::remainder(camera.yawDegrees, 90.0), 0.0);
+        const bool level = part.x != 0 || part.y != 0;
+        EXPECT_TRUE(level || std::remainder(camera.yawDegrees, 90.0) == 0.0);
     }
 }
 

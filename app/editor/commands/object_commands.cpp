@@ -166,7 +166,7 @@ std::span<const Command> objectCommands() {
                 .menu = MenuId::object,
                 .name = "Hidden",
                 .icon = icon::kHidden,
-                .chords = {key(GLFW_KEY_H)},
+                .chords = {control(GLFW_KEY_H)},
                 .separator = true,
                 .run =
                     [](CommandContext& c) {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "app/editor/icons.h"
+#include "app/editor/panels/dialog_frame.h"
 #include "app/editor/panels/panels.h"
 #include "app/editor/widgets.h"
 
@@ -68,6 +69,7 @@ std::optional<std::filesystem::path> menuOf(Ui& ui, MenuId menu) {
         if (auto file = recentFiles(ui)) chosen = file;
     }
     endGroup();
+    if (pressedKey(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
     return chosen;
 }
 

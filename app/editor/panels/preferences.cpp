@@ -10,7 +10,7 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr float kWidth = 640.0f, kHeight = 560.0f;
+constexpr float kWidth = 640.0f, kHeight = 540.0f;
 
 constexpr std::array kThemes{Choice{"Dark", "Calm greys, for long evenings"},
                              Choice{"Light", "For bright rooms"}};
@@ -88,9 +88,19 @@ void Preferences::draw(Ui& ui) {
 }
 
 void Preferences::drawTabs(Ui& ui) {
-    int page = static_cast<int>(page_);
-    constexpr std::array kPages{Choice{"General", ""}, Choice{"Keys", ""}};
-    if (choiceRow(ui, "preferences.page", "", page, kPages)) page_ = static_cast<Page>(page);
+    const float gap = ui.theme.px(8), square = ui.theme.px(30);
+    const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) * 0.5f);
+    const auto tab = [&](const char* label, Page page) {
+        const bool on = page_ == page;
+        if (on) ImGui::PushStyleColor(ImGuiCol_Button, ui.theme.accentSoft);
+        if (on) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.accent);
+        if (ImGui::Button(label, {width, square})) page_ = page;
+        if (on) ImGui::PopStyleColor(2);
+        ui.probe.markItem(std::string("preferences.") + label);
+    };
+    tab("General", Page::general);
+    ImGui::SameLine(0.0f, gap);
+    tab("Keys", Page::keys);
     ImGui::Dummy(ui.theme.px(0, 4));
 }
 
@@ -105,8 +115,18 @@ void Preferences::drawGeneral(Ui& ui) {
     static_cast<void>(
         enumRow(ui, "preferences.navigation", "Mouse", input.navigation, kNavigations));
     note(ui, kNavigations[static_cast<std::size_t>(input.navigation)].hint);
-    static_cast<void>(switchRow(ui, "preferences.invertWheel", "Wheel reversed", input.invertWheel,
+    static_cast<void>(switchRow(ui, "preferences.invertWheel", "Invert wheel", input.invertWheel,
                                 "Zoom in by rolling toward you"));
+    ImGui::Dummy(ui.theme.px(0, 6));
+    ViewSettings& view = ui.settings.view;
+    const float middle = ui.theme.px(300);
+    static_cast<void>(switchRow(ui, "preferences.edges", "Voxel edges", view.voxelEdges));
+    ImGui::SameLine(middle);
+    static_cast<void>(switchRow(ui, "preferences.grid", "Grid", view.editGround));
+    static_cast<void>(switchRow(ui, "preferences.occlusion", "Corner shade", view.occlusion));
+    ImGui::SameLine(middle);
+    static_cast<void>(switchRow(ui, "preferences.sunShadow", "Shadows", view.sunShadow));
+    static_cast<void>(switchRow(ui, "preferences.bounds", "Bounds", view.boundsBox));
     ImGui::Dummy(ui.theme.px(0, 6));
     valueRow(ui, "preferences.history", "Undo memory", window.historyMegabytes, kMemories,
              kMemoryChoices);

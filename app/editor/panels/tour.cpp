@@ -77,14 +77,14 @@ void Tour::draw(Ui& ui, const Layout& layout) {
             Card{"Tools",
                  "Attach, erase or paint, with a brush or whole shapes; select; set the anchor. "
                  "Hold Shift to swap attach and erase, Alt to pick a colour.",
-                 inside(layout.tools, 0.5f, 0.34f)},
+                 inside(layout.tools, 0.5f, 0.62f)},
             Card{"Edit view",
                  "Your voxels. Draw with the left button, turn with the right, zoom with the "
                  "wheel. The cube in the corner looks from its sides.",
-                 inside(layout.edit, 0.5f, 0.30f)},
+                 inside(layout.edit, 0.5f, 0.26f)},
             Card{"Sprite view",
                  "The very sprite that the game will show, pixel for pixel, while you draw.",
-                 inside(layout.sprite, 0.5f, 0.30f)},
+                 inside(layout.sprite, 0.5f, 0.26f)},
             Card{"The game's numbers",
                  "Sigma, the virtual pixels a voxel, and VoxelSize are shared by the whole game; "
                  "below them the anchor and the proxy box of this model.",
@@ -93,13 +93,13 @@ void Tour::draw(Ui& ui, const Layout& layout) {
                  "Colours with their ramps and variants, the parts of the model, every step to go "
                  "back to, and a crowd to look at.",
                  inside(layout.dock, 0.45f, 0.45f)},
-            Card{"Find anything", palette.c_str(), inside(layout.menu, 0.25f, 2.6f)}};
+            Card{"Find anything", palette.c_str(), inside(layout.divider, 0.5f, 0.78f)}};
         for (const Card& card : cards) drawCard(ui, card);
 
         const ImVec2 button = theme.px(160, 36);
         ImGui::SetCursorPos(
             {std::round((layout.edit.min.x + layout.sprite.max().x - button.x) * 0.5f),
-             std::round(display.y * 0.78f)});
+             std::round(inside(layout.divider, 0.5f, 0.88f).y)});
         const bool closes = primaryButton(ui, "Start", button);
         ui.probe.markItem("tour.start");
         if (closes || pressedKey(ImGuiKey_Escape) || pressedKey(ImGuiKey_Enter)) {
