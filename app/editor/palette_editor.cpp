@@ -40,7 +40,7 @@ void PaletteEditor::choose(std::uint8_t index) {
 
 void PaletteEditor::chooseTo(std::uint8_t index) {
     if (index == 0) return;
-    const auto [first, last] = std::minmax(slotOf(inHand()), slotOf(index));
+    const auto [first, last] = std::minmax({slotOf(inHand()), slotOf(index)});
     others_ = {};
     for (std::size_t slot = first; slot <= last; ++slot) {
         const std::uint8_t each = palette().displayOrder[slot];

@@ -14,6 +14,7 @@ namespace voxprite::editor {
 namespace {
 
 constexpr const char* kPicker = "palette.picker";
+constexpr const char* kSortMenu = "palette.sort.menu";
 
 std::array<float, 3> floatsOf(Rgba8 colour) {
     return {static_cast<float>(colour.x) / 255.0f, static_cast<float>(colour.y) / 255.0f,
@@ -83,15 +84,23 @@ void PalettePanel::drawPicker(Ui& ui) {
     const Theme& theme = ui.theme;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, theme.px(12, 12));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, theme.px(8));
+    // Beside the panel, so that the swatches stay in sight.
+    ImGui::SetNextWindowPos(
+        {ImGui::GetWindowPos().x - theme.px(8), ImGui::GetIO().DisplaySize.y - theme.px(34)},
+        ImGuiCond_Always, {1.0f, 1.0f});
     if (ImGui::BeginPopup(kPicker)) {
+        if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+            ImGui::CloseCurrentPopup();
+        }
         const Rgba8 shown = ui.session.shownPalette().colours[editor_.inHand()];
         std::array<float, 3> rgb = floatsOf(shown);
         ImGui::SetNextItemWidth(theme.px(216));
         const bool changed = ImGui::ColorPicker3(
             "##picker", rgb.data(),
             ImGuiColorEditFlags_PickerHueBar | ImGuiColorEditFlags_NoSidePreview |
-                ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_DisplayRGB |
-                ImGuiColorEditFlags_DisplayHSV | ImGuiColorEditFlags_DisplayHex);
+                ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_NoLabel |
+                ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_DisplayHSV |
+                ImGuiColorEditFlags_DisplayHex);
         ui.edits.watchItem(ui.session);
         ui.probe.markItem("palette.picker");
         if (changed && colourOf(rgb) != shown) {
@@ -108,7 +117,7 @@ void PalettePanel::drawToolbar(Ui& ui) {
     const float size = theme.px(24);
     for (const CommandId id :
          {toolPickColour, duplicateColour, swapColours, gradientColours, makeRamp, suggestRamps,
-          sortByHue, removeUnusedColours, importPalette, exportPalette}) {
+          removeUnusedColours, importPalette, exportPalette}) {
         const bool enabled = isEnabled(id, ui.context);
         if (!enabled) ImGui::BeginDisabled();
         const bool on = isOn(id, ui.context);
@@ -116,7 +125,19 @@ void PalettePanel::drawToolbar(Ui& ui) {
         if (!enabled) ImGui::EndDisabled();
         ImGui::SameLine(0.0f, theme.px(5));
     }
-    ImGui::NewLine();
+    if (iconButton(ui, "palette.sort", icon::kSort, Lit::off, size, "Sort the display")) {
+        ImGui::OpenPopup(kSortMenu);
+    }
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, theme.px(8, 8));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, theme.px(10, 7));
+    if (ImGui::BeginPopup(kSortMenu)) {
+        for (const CommandId id : {sortByHue, sortByLightness, sortByUse, sortByIndex}) {
+            if (ImGui::MenuItem(commandOf(id).name)) ui.commands.ask(id);
+            ui.probe.markItem(std::string("palette.") + commandOf(id).tag);
+        }
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar(2);
 }
 
 // The ramp of the colour in hand, dark to light.

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kColumns = 16;
 constexpr int kRows = 16;
+constexpr float kLeastCell = 14.0f;
 constexpr const char* kMenu = "palette.menu";
 
 std::string tooltipText(const Palette& palette, std::uint8_t index, std::uint64_t count) {
@@ -34,10 +35,13 @@ void PalettePanel::drawSwatches(Ui& ui, float height) {
     const Palette& palette = ui.session.shownPalette();
     const ColourCounts& counts = editor_.shownCounts(ImGui::GetTime());
     // Square where there is room, flatter where there is not, and then to be scrolled.
-    const float width = std::floor(ImGui::GetContentRegionAvail().x / kColumns);
-    const float cell = std::clamp(std::floor(height / kRows), theme.px(11), width);
+    const float full = ImGui::GetContentRegionAvail().x, bar = theme.px(6);
+    const bool scrolls = height < theme.px(kLeastCell) * kRows;
+    const float width = (scrolls ? full - bar - theme.px(2) : full) / kColumns;
+    const float cell =
+        std::clamp(std::floor(height / kRows), theme.px(kLeastCell), std::floor(width));
     const float gap = std::max(1.0f, theme.px(1));
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, 0u);
+    ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, bar);
     ImGui::BeginChild("swatches", {0.0f, std::min(height, cell * kRows)}, false,
                       ImGuiWindowFlags_NoBackground);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -50,21 +54,25 @@ void PalettePanel::drawSwatches(Ui& ui, float height) {
     const std::size_t under = inside ? static_cast<std::size_t>(row * kColumns + column) : 0;
 
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const auto minOf = [&](std::size_t slot) {
-        return ImVec2(corner.x + width * static_cast<float>(slot % kColumns),
-                      corner.y + cell * static_cast<float>(slot / kColumns));
+    // Whole pixels, whatever the width is.
+    const auto cornerAt = [&](std::size_t slotColumn, std::size_t slotRow) {
+        return ImVec2(std::round(corner.x + width * static_cast<float>(slotColumn)),
+                      corner.y + cell * static_cast<float>(slotRow));
+    };
+    const auto minOf = [&](std::size_t slot) { return cornerAt(slot % kColumns, slot / kColumns); };
+    const auto maxOf = [&](std::size_t slot) {
+        const ImVec2 next = cornerAt(slot % kColumns + 1, slot / kColumns + 1);
+        return ImVec2(next.x - gap, next.y - gap);
     };
     const auto frame = [&](std::size_t slot, ImU32 colour, float thick) {
-        const ImVec2 min = minOf(slot);
-        const ImVec2 max(min.x + width - gap, min.y + cell - gap);
+        const ImVec2 min = minOf(slot), max = maxOf(slot);
         draw.AddRect({min.x - 1, min.y - 1}, {max.x + 1, max.y + 1}, theme.panel, theme.px(3), 0,
                      thick + theme.px(2));
         draw.AddRect({min.x - 1, min.y - 1}, {max.x + 1, max.y + 1}, colour, theme.px(3), 0, thick);
     };
     for (std::size_t slot = 0; slot < 256; ++slot) {
         const std::uint8_t index = palette.displayOrder[slot];
-        const ImVec2 min = minOf(slot);
-        const ImVec2 max(min.x + width - gap, min.y + cell - gap);
+        const ImVec2 min = minOf(slot), max = maxOf(slot);
         if (index == 0 || palette.isVacant(index)) {
             draw.AddRectFilled(min, max, theme.field, theme.px(2));
             if (index == 0) {  // what erasing leaves
@@ -92,7 +100,7 @@ void PalettePanel::drawSwatches(Ui& ui, float height) {
         const Rgba8 c = palette.colours[palette.displayOrder[dragged_]];
         if (under != 0) {  // where it would go
             const ImVec2 min = minOf(under);
-            const float x = under > dragged_ ? min.x + width - gap : min.x - gap;
+            const float x = under > dragged_ ? maxOf(under).x : min.x - gap;
             draw.AddRectFilled({x - theme.px(1), min.y - theme.px(1)},
                                {x + theme.px(2), min.y + cell}, theme.accent);
         }
@@ -118,7 +126,7 @@ void PalettePanel::drawSwatches(Ui& ui, float height) {
     }
     drawMenu(ui);
     ImGui::EndChild();
-    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
 }
 
 void PalettePanel::useSwatch(Ui& ui, std::size_t slot) {
