@@ -99,6 +99,7 @@ TEST_F(ToolsOnAPlate, WhatTheClickWillDoIsShownBeforeIt) {
         settings.mode = mode;
         settings.options.tipEdge = 3;
         const VoxelGrid before = made();
+        moveTo(faceOf({-8, -8, 0}));
         moveTo(faceOf({2, 3, 0}));
         EXPECT_EQ(made(), before);
         const VoxelGrid coming = shown();

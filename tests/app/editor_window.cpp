@@ -202,7 +202,7 @@ void EditorWindow::keyUp(const std::string& name) {
 }
 
 void EditorWindow::type(const std::string& text) {
-    xdotool("type --delay 15 '" + text + "'");
+    xdotool("type --delay 15 -- '" + text + "'");
 }
 
 }  // namespace voxprite::test
