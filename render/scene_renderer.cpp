@@ -309,6 +309,9 @@ Result<SpriteBuffer> SceneRenderer::castBuffer(const GpuOctree& octree, const La
 }
 
 Result<SceneRenderer> SceneRenderer::create(const AtlasLimits& limits) {
+    if (const Status fits = SpriteAtlas::checkLimits(limits); !fits) {
+        return tl::unexpected(fits.error());
+    }
     Result<SpriteCaster> caster = SpriteCaster::create();
     if (!caster) return tl::unexpected(caster.error());
     Result<SceneBackdrop> backdrop = SceneBackdrop::create();

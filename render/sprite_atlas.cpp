@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <string>
 
 namespace voxprite {
 
@@ -59,6 +60,20 @@ std::uint32_t AtlasPlace::framebuffer() const {
 
 SpriteAtlas::SpriteAtlas(const AtlasLimits& limits)
     : limits_(limits), packer_(glm::ivec2(limits.pageEdgePx)) {}
+
+Status SpriteAtlas::checkLimits(const AtlasLimits& limits) {
+    GLint edge = 0;
+    GLint pages = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &edge);
+    glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &pages);
+    if (limits.pageEdgePx >= 1 && limits.pageEdgePx <= edge && limits.pages >= 1 &&
+        limits.pages <= pages) {
+        return {};
+    }
+    return fail("an atlas of " + std::to_string(limits.pages) + " pages of " +
+                std::to_string(limits.pageEdgePx) + " pixels; this driver has up to " +
+                std::to_string(pages) + " of up to " + std::to_string(edge));
+}
 
 void SpriteAtlas::keepIds(bool ids) {
     if (ids == ids_) return;

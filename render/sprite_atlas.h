@@ -37,6 +37,8 @@ struct AtlasPlace {
 class SpriteAtlas {
   public:
     explicit SpriteAtlas(const AtlasLimits& limits);
+    // Does the driver have textures of that size?
+    [[nodiscard]] static Status checkLimits(const AtlasLimits& limits);
 
     // Whether sprites are kept with their ids. A change forgets all that is held.
     void keepIds(bool ids);

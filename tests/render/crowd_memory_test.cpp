@@ -1,0 +1,296 @@
+// What is remembered from frame to frame, evicted, and drawn at once: none of it shows.
+#include <functional>
+#include <set>
+
+#include "render/lit_rows.h"
+#include "tests/render/crowd_support.h"
+
+namespace voxprite {
+namespace {
+
+using test::kBackground;
+using test::kViewport;
+using test::mismatches;
+using test::must;
+using test::plainProfile;
+
+class CrowdMemory : public test::Crowds {
+  protected:
+    // The crowd in three palettes.
+    Scene colourful(int count, const GameProfile& profile) {
+        Scene scene = rows(count, profile);
+        for (std::size_t k = 0; k < scene.entities.size(); ++k) {
+            scene.entities[k].palette = &palettes_[k / 2 % palettes_.size()];
+        }
+        return scene;
+    }
+    // By a renderer that remembers nothing.
+    Picture afresh(const Scene& scene, const Camera& view, const GameProfile& profile,
+                   SpriteMode mode) {
+        SceneRenderer fresh = must(SceneRenderer::create());
+        std::swap(fresh, *renderer_);
+        Picture picture = draw(scene, view, profile, mode);
+        std::swap(fresh, *renderer_);
+        return picture;
+    }
+    static std::vector<Palette> threePalettes() {
+        std::vector<Palette> palettes(3, Palette::standard());
+        for (std::size_t index = 1; index < 256; ++index) {
+            std::swap(palettes[1].colours[index].x, palettes[1].colours[index].z);
+            palettes[2].colours[index].y = static_cast<std::uint8_t>(255 - index);
+        }
+        return palettes;
+    }
+
+    std::vector<Palette> palettes_ = threePalettes();
+};
+
+TEST_F(CrowdMemory, BothModesAreOneDrawAndEqualEntitiesDrawnAlone) {
+    int variant = 0;
+    for (const DepthRule depth : {DepthRule::centre, DepthRule::groundSafe, DepthRule::perPixel}) {
+        for (const ProxyShape proxy : {ProxyShape::quad, ProxyShape::box}) {
+            GameProfile profile = plainProfile();
+            profile.viewStepDegrees = 0.0;
+            profile.depth = depth;
+            profile.proxy = proxy;
+            profile.view = variant++ % 2 == 0 ? ViewRule::towardEntity : ViewRule::cameraForward;
+            // More than a group of vertices, and not a whole number of them.
+            const Scene scene = colourful(43, profile);
+            const Camera view = camera(-8.0, 27.0, 11.0);
+            const Picture buffered = draw(scene, view, profile);
+            const Picture single = draw(scene, view, profile, SpriteMode::singlePass);
+            EXPECT_EQ(buffered.stats.drawCalls, 1);
+            EXPECT_EQ(single.stats.drawCalls, 1);
+            EXPECT_GT(single.stats.drawn, 32);
+            EXPECT_EQ(mismatches(buffered.colour, oneByOne(scene, view, profile)), 0U) << variant;
+            EXPECT_EQ(mismatches(buffered.colour, single.colour), 0U) << variant;
+            EXPECT_TRUE(buffered.depth == single.depth) << variant;
+            // Again, from what is held.
+            const Picture heldSingle = draw(scene, view, profile, SpriteMode::singlePass);
+            EXPECT_EQ(mismatches(heldSingle.colour, single.colour), 0U);
+            EXPECT_EQ(heldSingle.stats.rays, single.stats.rays);
+            EXPECT_EQ(mismatches(draw(scene, view, profile).colour, single.colour), 0U);
+        }
+    }
+}
+
+// A change of anything that a picture depends on shows in the next frame, in either mode.
+TEST_F(CrowdMemory, WhatChangesIsDrawnAnew) {
+    GameProfile profile = plainProfile();
+    profile.viewStepDegrees = 0.0;
+    Scene scene = colourful(20, profile);
+    Camera view = camera(12.0, 21.0, 9.0);
+    LiveOctree live;
+    ASSERT_TRUE(live.rebuild(test::figure()));
+    const IBox bounds{{0, 0, 0}, figure_->octree.size};
+    GpuOctree edited;
+    edited.update(live.view(bounds), live.takeChanges());
+
+    using Change = std::function<void()>;
+    const std::vector<std::pair<std::string, Change>> changes{
+        {"nothing", [] {}},
+        {"an entity moves", [&] { scene.entities[3].placed.anchorMetres.x += 0.31; }},
+        {"an entity turns",
+         [&] {
+             scene.entities[4].placed.worldFromVoxelAxes =
+                 figure_->placedAt({}, profile, 17.0).worldFromVoxelAxes;
+         }},
+        {"a colour of a palette",
+         [&] {
+             palettes_[1].colours.fill({250, 10, 90, 255});
+         }},
+        {"another palette", [&] { scene.entities[3].palette = &palettes_[2]; }},
+        {"another model",
+         [&] {
+             SceneEntity& entity = scene.entities[1];
+             entity = test::Scenes::entity(*figure_, entity.placed.anchorMetres, profile);
+             entity.octree = &edited;
+         }},
+        {"its voxels",
+         [&] {
+             std::vector<LiveOctree::Edit> edits;
+             for (int z = 12; z < 30; ++z) edits.push_back({{3, 0, z}, 77});
+             ASSERT_TRUE(live.apply(edits));
+             edited.update(live.view(bounds), live.takeChanges());
+         }},
+        {"sigma", [&] { profile.sigma = 3.0; }},
+        {"the outline",
+         [&] {
+             profile.outline.colour = {200, 180, 20, 255};
+         }},
+        {"the light", [&] { profile.light.ambient = 0.2; }},
+        {"the depth rule", [&] { profile.depth = DepthRule::perPixel; }},
+        {"the proxy", [&] { profile.proxy = ProxyShape::box; }},
+        {"the camera", [&] { view = camera(14.0, 21.0, 9.0); }},
+        {"the picture's size",
+         [&] {
+             view.viewportPx = {190, 170};
+         }},
+        {"the order", [&] { std::swap(scene.entities[2], scene.entities[10]); }},
+        {"an entity less", [&] { scene.entities.erase(scene.entities.begin() + 5); }},
+        {"an entity more",
+         [&] {
+             scene.entities.push_back(scene.entities[3]);
+             scene.entities.back().placed.anchorMetres.z += 2.0;
+         }},
+        {"the new one moves", [&] { scene.entities.back().placed.anchorMetres.x -= 0.7; }},
+        {"nobody", [&] { scene.entities.clear(); }},
+        {"somebody", [&] { scene = colourful(7, profile); }},
+    };
+    Image before = draw(scene, view, profile).colour;
+    int seen = 0;
+    for (const auto& [name, change] : changes) {
+        change();
+        for (const SpriteMode mode : {SpriteMode::spriteBuffer, SpriteMode::singlePass}) {
+            const Picture next = draw(scene, view, profile, mode);
+            const Picture expected = afresh(scene, view, profile, mode);
+            EXPECT_EQ(mismatches(next.colour, expected.colour), 0U) << name;
+            EXPECT_TRUE(next.depth == expected.depth) << name;
+            EXPECT_EQ(next.stats.drawn, expected.stats.drawn) << name;
+            if (mode == SpriteMode::singlePass) continue;
+            seen += next.colour.pixels != before.pixels;
+            before = next.colour;
+        }
+    }
+    // All but "nothing", and perhaps who stands before whom.
+    EXPECT_GE(seen, static_cast<int>(changes.size()) - 3);
+}
+
+TEST_F(CrowdMemory, AHistoryThatWasTakenAwayIsBegunAnew) {
+    GameProfile profile = plainProfile();
+    profile.viewStepDegrees = 5.0;
+    ViewHistory history;
+    Scene scene = rows(5, profile);
+    scene.entities[2].history = &history;
+    const Camera view = camera(12.0, 21.0, 9.0);
+    const Image first = draw(scene, view, profile).colour;
+    ASSERT_TRUE(history.snappedSteps);
+    const glm::ivec3 steps = *history.snappedSteps;
+    EXPECT_EQ(mismatches(draw(scene, view, profile).colour, first), 0U);
+    EXPECT_EQ(*history.snappedSteps, steps);
+    history = {};
+    EXPECT_EQ(mismatches(draw(scene, view, profile).colour, first), 0U);
+    EXPECT_EQ(history.snappedSteps, steps);
+    // And one that says otherwise is followed: the band of hysteresis holds a neighbouring step.
+    bool followed = false;
+    for (int axis = 0; axis < 2 && !followed; ++axis) {
+        for (const int side : {-1, 1}) {
+            history.snappedSteps = steps;
+            (*history.snappedSteps)[axis] += side;
+            (void)draw(scene, view, profile);
+            SceneRenderer fresh = must(SceneRenderer::create());
+            ViewHistory other;
+            other.snappedSteps = steps;
+            (*other.snappedSteps)[axis] += side;
+            Scene same = scene;
+            same.entities[2].history = &other;
+            Frame frame(view.viewportPx);
+            (void)must(fresh.draw(frame, same, view, profile, SpriteMode::spriteBuffer));
+            EXPECT_EQ(history.snappedSteps, other.snappedSteps);
+            followed = followed || *history.snappedSteps != steps;
+        }
+    }
+}
+
+TEST_F(CrowdMemory, EvictionWhileMovingChangesNothing) {
+    GameProfile profile = plainProfile();
+    profile.viewStepDegrees = 0.0;
+    for (const DepthRule depth : {DepthRule::groundSafe, DepthRule::perPixel}) {
+        profile.depth = depth;
+        // Room for about half of a frame's sprites; and a single page that new ones must empty.
+        for (const AtlasLimits limits : {AtlasLimits{256, 2}, AtlasLimits{640, 1}}) {
+            renderer_.emplace(must(SceneRenderer::create(limits)));
+            const Scene scene = colourful(24, profile);
+            for (int step = 0; step < 6; ++step) {
+                const Camera view = camera(3.0 * step, 21.0, 9.0 - 0.2 * step);
+                const Picture picture = draw(scene, view, profile);
+                const Picture single = draw(scene, view, profile, SpriteMode::singlePass);
+                EXPECT_EQ(mismatches(picture.colour, single.colour), 0U) << step;
+                EXPECT_TRUE(picture.depth == single.depth) << step;
+                EXPECT_LE(picture.stats.atlasBytes,
+                          8ULL * limits.pages * limits.pageEdgePx * limits.pageEdgePx);
+            }
+        }
+    }
+}
+
+// More lit palettes than the GPU is given at a time: what is gathered is drawn, and then the rest.
+TEST_F(CrowdMemory, AnyNumberOfPalettes) {
+    GameProfile profile = plainProfile();
+    profile.view = ViewRule::cameraForward;
+    profile.sigma = 1.0;
+    profile.outline.enabled = false;
+    const test::GpuModel dot(test::solidBox({2, 2, 2}, 1));
+    constexpr int kEdge = 47;
+    std::vector<Palette> palettes(kEdge * kEdge);
+    ASSERT_GT(palettes.size(), static_cast<std::size_t>(LitRows::kMostPalettes));
+    Scene scene;
+    scene.background = kBackground;
+    for (int k = 0; k < kEdge * kEdge; ++k) {
+        Palette& palette = palettes[static_cast<std::size_t>(k)];
+        palette.colours.fill({4 * (k % 61) + 10, 6 * (k / 61), 100, 255});
+        const glm::dvec3 at((k % kEdge - kEdge / 2) * 0.3, (k / kEdge - kEdge / 2) * 0.3, 0.0);
+        scene.entities.push_back(entity(dot, at, profile));
+        scene.entities.back().palette = &palette;
+    }
+    Camera view = parallel(0, 0);
+    view.viewportPx = {320, 320};
+    view.orthographicHeightMetres = 16.0;
+    view.eyeMetres = {0.0, 0.1, 30.0};
+    for (const SpriteMode mode : {SpriteMode::spriteBuffer, SpriteMode::singlePass}) {
+        const Picture picture = draw(scene, view, profile, mode);
+        EXPECT_EQ(picture.stats.drawCalls, 2);
+        std::set<std::tuple<int, int, int>> seen;
+        for (const Rgba8 pixel : picture.colour.pixels) {
+            if (pixel != kBackground) seen.emplace(pixel.x, pixel.y, pixel.z);
+        }
+        std::set<std::tuple<int, int, int>> expected;
+        for (const SceneEntity& each : scene.entities) {
+            const SpriteView sprite = *must(viewSprite(each.placed, view, profile)).view;
+            const Rgba8 lit = litPalette(*each.palette, sprite.light8, profile.outline).shade(1, 1);
+            expected.emplace(lit.x, lit.y, lit.z);
+        }
+        EXPECT_GT(expected.size(), 1500U);
+        EXPECT_EQ(seen, expected);
+    }
+}
+
+TEST_F(CrowdMemory, EveryEntityHasItsShadow) {
+    const GameProfile profile = plainProfile();
+    Scene scene = crowd(profile);
+    scene.ground = Ground{};
+    scene.shadowBlobs = true;
+    const Camera view = camera(15.0, 35.0);
+    const Picture all = draw(scene, view, profile);
+    for (const SceneEntity& each : scene.entities) {
+        Scene alone = scene;
+        alone.entities = {each};
+        const Image shaded = draw(alone, view, profile).colour;
+        alone.shadowBlobs = false;
+        const Picture bare = draw(alone, view, profile);
+        Scene sprites = scene;
+        sprites.shadowBlobs = false;
+        const Picture unshaded = draw(sprites, view, profile);
+        std::size_t checked = 0;
+        for (std::size_t i = 0; i < shaded.pixels.size(); ++i) {
+            // The ground, where this entity alone shades it and no other one stands before it.
+            const bool ground = all.depth[i] == bare.depth[i];
+            if (!ground || shaded.pixels[i].x + 3 > bare.colour.pixels[i].x) continue;
+            EXPECT_LT(all.colour.pixels[i].x, unshaded.colour.pixels[i].x);
+            ++checked;
+        }
+        EXPECT_GT(checked, 100U);
+    }
+}
+
+TEST_F(CrowdMemory, AtlasesBeyondTheDriverAreRefused) {
+    const auto wide = SceneRenderer::create({1 << 20, 1});
+    ASSERT_FALSE(wide);
+    EXPECT_NE(wide.error().message.find("1048576"), std::string::npos) << wide.error().message;
+    EXPECT_FALSE(SceneRenderer::create({64, 1 << 20}));
+    EXPECT_FALSE(SceneRenderer::create({0, 1}));
+    EXPECT_FALSE(SceneRenderer::create({64, 0}));
+}
+
+}  // namespace
+}  // namespace voxprite
