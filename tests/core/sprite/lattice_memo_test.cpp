@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 
+#include "core/base/parallel.h"
 #include "core/sprite/sprite_key.h"
 #include "tests/core/sprite/subject.h"
 
@@ -32,6 +34,39 @@ TEST(LatticeMemo, GivesWhatQuantisingGives) {
             }
         }
     }
+}
+
+// A camera that moves for long never asks twice; exact directions are found at once.
+TEST(LatticeMemo, KeepsABoundedNumberOfViews) {
+    LatticeMemo memo;
+    constexpr int kAsked = static_cast<int>(LatticeMemo::kMostKept) * 5 / 4;
+    OrthoView view;
+    std::size_t most = 0;
+    for (int k = 0; k < kAsked; ++k) {
+        view.sigmaInForce = 1.0 + k * 1e-6;
+        ASSERT_TRUE(memo.quantise(view, {4, 4, 4}));
+        if (k % 1000 == 0) most = std::max(most, memo.kept());
+    }
+    EXPECT_LE(std::max(most, memo.kept()), LatticeMemo::kMostKept);
+    EXPECT_GT(most, LatticeMemo::kMostKept / 4);
+    // The last ones are still there.
+    const std::size_t before = memo.kept();
+    EXPECT_EQ(*memo.quantise(view, {4, 4, 4}), *quantiseView(view, {4, 4, 4}));
+    EXPECT_EQ(memo.kept(), before);
+}
+
+TEST(LatticeMemo, AnyNumberOfThreadsMayAsk) {
+    LatticeMemo memo;
+    std::vector<LatticeView> found(4000);
+    parallelFor(static_cast<int>(found.size()), 0, [&](int first, int last) {
+        for (int k = first; k < last; ++k) {
+            OrthoView view;
+            view.sigmaInForce = 1.0 + k % 100 * 0.01;
+            found[static_cast<std::size_t>(k)] = *memo.quantise(view, {4, 4, 4});
+        }
+    });
+    EXPECT_EQ(memo.kept(), 100U);
+    for (std::size_t k = 100; k < found.size(); ++k) EXPECT_EQ(found[k], found[k % 100]);
 }
 
 TEST(LatticeMemo, FailsWhereQuantisingFails) {
