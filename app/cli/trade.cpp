@@ -1,4 +1,5 @@
 // voxprite trade: what the choices of the sprite cost and gain, measured.
+#include <CLI/Error.hpp>
 #include <algorithm>
 #include <cmath>
 
@@ -141,6 +142,9 @@ Status addTemporal(const Options& options, Report& report) {
 }
 
 Result<Report> runTrade(const Options& options) {
+    if (!options.files.empty() && !options.temporal) {
+        throw CLI::ValidationError("FILES", "are for --temporal");
+    }
     Report report;
     std::vector<std::string> broken;
     if (options.conformance) addConformance(options, report, broken);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/sprite/view_axes.h"
+
 namespace voxprite::editor {
 namespace {
 
@@ -23,13 +25,17 @@ const VoxelChange* changeAt(const std::vector<VoxelChange>& changes, glm::ivec3 
 }  // namespace
 
 Session::Session() {
+    workspace_.profile.viewStepDegrees = kUsualViewStepDegrees;
+    savedProfile_ = workspace_.profile;
     // An empty model always fits.
     static_cast<void>(rebuild());
     followPalette();
 }
 
 Status Session::perform(Action action) {
+    const std::size_t position = history_.position();
     const Changed changed = history_.execute(workspace_, std::move(action));
+    if (changed.any()) selection_.stepMade(position, history_.position() == position + 1);
     Status followed = follow(changed);
     if (!followed) {
         // The document went where the octree cannot: take it back. What was there before fits.
@@ -39,16 +45,23 @@ Status Session::perform(Action action) {
 }
 
 Status Session::undo() {
-    return follow(history_.undo(workspace_));
+    const std::size_t position = history_.position();
+    const Changed changed = history_.undo(workspace_);
+    selection_.wentTo(position, history_.position());
+    return follow(changed);
 }
 
 Status Session::redo() {
-    return follow(history_.redo(workspace_));
+    const std::size_t position = history_.position();
+    const Changed changed = history_.redo(workspace_);
+    selection_.wentTo(position, history_.position());
+    return follow(changed);
 }
 
 Status Session::follow(const Changed& changed) {
     if (!changed.any()) return {};
     ++revision_;
+    selection_.follow(document(), changed);
     if (changed.scene || changed.palette || !changed.voxels.empty()) ++modelRevision_;
     if (changed.palette) followPalette();
     if (changed.scene) return rebuild();
@@ -265,10 +278,9 @@ PlacedEntity Session::placedInGame() const {
     return placed;
 }
 
-PlacedEntity Session::placedForEditing() const {
-    const IBox shown = shownBounds();
-    PlacedEntity placed = placeEntity(Entity{}, shown, GameProfile{});
-    placed.anchor = -glm::dvec3(shown.min);
+PlacedEntity Session::placedForEditing(const IBox& box) {
+    PlacedEntity placed = placeEntity(Entity{}, box, GameProfile{});
+    placed.anchor = -glm::dvec3(box.min);
     placed.anchorMetres = glm::dvec3(0.0);
     placed.voxelSizeMetres = 1.0;
     return placed;

@@ -174,7 +174,31 @@ class CrowdBench {
         figure["cpuMs"] = median(cpuMs);  // until all commands are given
         figure["gpuMs"] = median(gpuMs);  // between the first command and the end of the last
         figure["ms"] = ms;                // until all is drawn
+        if (what.way == Way::seed && what.entities <= 100) {
+            const Result<double> off = seedOff(what);
+            if (!off) return Failure(off.error());
+            figure["differing"] = *off;
+        }
         return ms;
+    }
+
+    // The share of the pixels that sprites cover which either way leaves empty and the other does
+    // not: the rival draws the same scene, on its own grid.
+    Result<double> seedOff(const Case& what) {
+        const Camera camera = nextCamera(what);
+        seed_.draw(frame_, members_, camera, profile_);
+        const Image theirs = frame_.readColour();
+        const Result<SceneStats> drawn =
+            renderer_.draw(frame_, scene_, camera, profile_, SpriteMode::spriteBuffer);
+        if (!drawn) return Failure(drawn.error());
+        const Image ours = frame_.readColour();
+        double either = 0.0, one = 0.0;
+        for (std::size_t k = 0; k < ours.pixels.size(); ++k) {
+            const bool a = ours.pixels[k].w != 0, b = theirs.pixels[k].w != 0;
+            either += a || b ? 1.0 : 0.0;
+            one += a != b ? 1.0 : 0.0;
+        }
+        return either > 0.0 ? one / either : 0.0;
     }
 
     // Fewer frames where one takes long.
