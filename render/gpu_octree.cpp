@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <string>
 
 namespace voxprite {
 
@@ -22,10 +23,13 @@ std::uint64_t nextRevision() {
     return ++last;
 }
 
-// Whole rows, with half as much room again.
-std::uint32_t roomyCapacity(std::size_t texels) {
-    const std::size_t roomy = texels + texels / 2 + 1;
-    return static_cast<std::uint32_t>((roomy + kWidth - 1) / kWidth) * kWidth;
+// With half as much room again.
+std::size_t roomy(std::size_t texels) {
+    return texels + texels / 2 + 1;
+}
+
+std::size_t wholeRows(std::size_t texels) {
+    return (texels + kWidth - 1) / kWidth * kWidth;
 }
 
 void uploadRectangle(std::uint32_t texture, std::uint32_t x, std::uint32_t y, std::uint32_t width,
@@ -54,19 +58,37 @@ void uploadRun(std::uint32_t texture, std::uint32_t first, std::uint32_t count,
 
 GpuOctree::GpuOctree() = default;
 
-void GpuOctree::upload(const OctreeView& octree) {
-    if (octree.nodes.size() > nodeCapacity_ || octree.payloads.size() > payloadCapacity_ ||
-        !texture_) {
-        nodeCapacity_ = roomyCapacity(octree.nodes.size());
-        const std::uint32_t payloadTexels = roomyCapacity(2 * octree.payloads.size());
-        payloadCapacity_ = payloadTexels / 2;
-        payloadOffset_ = nodeCapacity_;
-        rows_ = static_cast<int>((nodeCapacity_ + payloadTexels) / kWidth);
-        texture_ = gl::createTexture2d();
-        glTextureStorage2D(texture_.id(), 1, GL_R32UI, static_cast<GLsizei>(kWidth), rows_);
-        glTextureParameteri(texture_.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        glTextureParameteri(texture_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+bool GpuOctree::makeRoom(const OctreeView& octree) {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    const std::size_t nodes = wholeRows(roomy(octree.nodes.size()));
+    const std::size_t payloads = wholeRows(roomy(2 * octree.payloads.size()));
+    const std::size_t rows = (nodes + payloads) / kWidth;
+    texture_.reset();
+    revision_ = nextRevision();
+    status_ = {};
+    if (rows > static_cast<std::size_t>(most)) {
+        status_ =
+            fail("an octree of " + std::to_string(octree.nodes.size()) + " nodes and " +
+                 std::to_string(octree.payloads.size()) + " bricks takes " + std::to_string(rows) +
+                 " rows of a texture; this driver has " + std::to_string(most));
+        return false;
     }
+    nodeCapacity_ = static_cast<std::uint32_t>(nodes);
+    payloadCapacity_ = static_cast<std::uint32_t>(payloads / 2);
+    payloadOffset_ = nodeCapacity_;
+    rows_ = static_cast<int>(rows);
+    texture_ = gl::createTexture2d();
+    glTextureStorage2D(texture_.id(), 1, GL_R32UI, static_cast<GLsizei>(kWidth), rows_);
+    glTextureParameteri(texture_.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTextureParameteri(texture_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    return true;
+}
+
+void GpuOctree::upload(const OctreeView& octree) {
+    const bool roomLeft = texture_ && octree.nodes.size() <= nodeCapacity_ &&
+                          octree.payloads.size() <= payloadCapacity_;
+    if (!roomLeft && !makeRoom(octree)) return;
     OctreeChanges all;
     all.nodes.push_back({0, static_cast<std::uint32_t>(octree.nodes.size())});
     all.payloads.push_back({0, static_cast<std::uint32_t>(octree.payloads.size())});

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
+#include "core/base/result.h"
 #include "core/svo/live_octree.h"
 #include "core/svo/octree.h"
 #include "render/gl/handles.h"
@@ -17,10 +18,13 @@ class GpuOctree {
     static constexpr int kWidth = 4096;  // of the texture: kWidthBits of shaders/shared/octree.glsl
 
     GpuOctree();
-    // Uploads all of it. Room is left for growth.
+    // Uploads all of it. Room is left for growth. An octree larger than the driver's textures is
+    // not uploaded (there is no texture then), and status says so.
     void upload(const OctreeView& octree);
     // Uploads only `changes` (all, when they say so or the room is used up).
     void update(const OctreeView& octree, const OctreeChanges& changes);
+
+    [[nodiscard]] const Status& status() const { return status_; }
 
     // Changes with every upload, and is never the same for two octrees: equal revisions hold equal
     // voxels.
@@ -35,9 +39,11 @@ class GpuOctree {
     [[nodiscard]] OctreeBlock block() const;          // what shaders need to read it
 
   private:
+    [[nodiscard]] bool makeRoom(const OctreeView& octree);
     void uploadRuns(const OctreeView& octree, const OctreeChanges& changes);
 
     gl::Texture texture_;
+    Status status_;
     glm::ivec3 size_{0};
     glm::ivec3 treeFromVoxel_{0};
     int maxDepth_ = 1;

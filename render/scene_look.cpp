@@ -124,7 +124,7 @@ Status SceneLook::look(Record& record, const SceneEntity& entity, const Camera& 
     record.octreeRevision = entity.octree->revision();
     record.paletteContent = contents_.at(entity.palette);
     record.seen = false;
-    if (entity.octree->texture() == 0) return {};
+    if (entity.octree->texture() == 0) return entity.octree->status();
     const Result<SpriteViewResult> result =
         viewSprite(entity.placed, camera, profile, entity.history, &lattices_);
     if (!result) return tl::unexpected(result.error());

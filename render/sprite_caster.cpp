@@ -173,6 +173,7 @@ Status SpriteCaster::castSinglePass(const CastJob& job, std::uint32_t litRows,
 
 Result<SpriteBuffer> SpriteCaster::castBuffer(const GpuOctree& octree, const LatticeView& lattice,
                                               const LitPalette& lit, SpriteMode mode) {
+    if (!octree.status()) return tl::unexpected(octree.status().error());
     SpriteBuffer buffer;
     buffer.first = lattice.first;
     buffer.size = lattice.size;

@@ -111,6 +111,40 @@ TEST_F(GpuOctrees, PicturesFollowPartialUpdates) {
     }
 }
 
+TEST_F(GpuOctrees, WhatNoTextureHoldsIsRefusedAndDrawnNever) {
+    const Octree small = must(bake(test::figure()));
+    // As many nodes as it says are never looked at.
+    OctreeView huge = small.view();
+    huge.nodes = std::span(huge.nodes.data(), std::size_t{1} << 30);
+    GpuOctree gpu;
+    gpu.upload(huge);
+    ASSERT_FALSE(gpu.status());
+    EXPECT_NE(gpu.status().error().message.find("1073741824 nodes"), std::string::npos);
+    EXPECT_EQ(gpu.texture(), 0U);
+
+    SceneRenderer renderer = must(SceneRenderer::create());
+    const LatticeView lattice = must(quantiseView(test::orthoView({25, 30, 0}, 1.0), small.size));
+    EXPECT_FALSE(renderer.castBuffer(gpu, lattice, LitPalette{}, SpriteMode::spriteBuffer));
+    const Palette palette = Palette::standard();
+    const GameProfile profile;
+    const PlacedEntity placed = placeEntity(Entity{}, {glm::ivec3(0), small.size}, profile);
+    Scene scene;
+    scene.entities = {{&gpu, &palette, placed, nullptr}};
+    Frame frame({64, 64});
+    const Camera camera = orbitCamera({10, 20, 0}, {0, 1, 0}, 9.0, 45.0, {64, 64});
+    const auto refused = renderer.draw(frame, scene, camera, profile, SpriteMode::spriteBuffer);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message, gpu.status().error().message);
+    // A smaller one takes its place.
+    gpu.upload(small.view());
+    ASSERT_TRUE(gpu.status());
+    const auto drawn = renderer.draw(frame, scene, camera, profile, SpriteMode::spriteBuffer);
+    ASSERT_TRUE(drawn);
+    EXPECT_EQ(drawn->drawn, 1);
+    gpu.upload(huge);
+    EXPECT_FALSE(renderer.draw(frame, scene, camera, profile, SpriteMode::spriteBuffer));
+}
+
 TEST_F(GpuOctrees, RevisionsOfDifferentOctreesDiffer) {
     const Octree octree = must(bake(test::figure()));
     GpuOctree a;
