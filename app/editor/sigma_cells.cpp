@@ -33,7 +33,7 @@ std::string detailOf(const SpriteCell& cell, double sigma) {
 }
 
 // The value, and whether it is in force or could be.
-void drawCaption(Ui& ui, ImVec2 corner, int index) {
+void drawCaption(Ui& ui, ImVec2 lowerLeft, int index) {
     const Theme& theme = ui.theme;
     SigmaComparison& comparison = ui.settings.scene.comparison;
     const bool inForce = comparison.inForce == index;
@@ -41,7 +41,7 @@ void drawCaption(Ui& ui, ImVec2 corner, int index) {
     const std::string name = "compare." + std::to_string(index);
     const ImVec2 size = theme.px(166, 30);
 
-    ImGui::SetCursorScreenPos({corner.x + theme.px(10), corner.y + theme.px(8)});
+    ImGui::SetCursorScreenPos({lowerLeft.x + theme.px(10), lowerLeft.y - size.y - theme.px(10)});
     ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, theme.px(6));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, theme.px(8, 3));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, theme.px(6, 3));
@@ -109,7 +109,7 @@ void showSigmaCells(Ui& ui, const ViewCanvas& canvas, std::span<const CellArea> 
         const float wrap = max.x - min.x - theme.px(36);
         const ImVec2 text = small->CalcTextSizeA(small->FontSize, FLT_MAX, wrap, detail.c_str());
         if (!detail.empty()) {
-            const ImVec2 at(min.x + theme.px(10), max.y - text.y - theme.px(16));
+            const ImVec2 at(min.x + theme.px(10), max.y - text.y - theme.px(52));
             draw.AddRectFilled(at, {at.x + text.x + theme.px(16), at.y + text.y + theme.px(8)},
                                kPill, theme.px(6));
             draw.AddText(small, small->FontSize, {at.x + theme.px(8), at.y + theme.px(4)}, kPillDim,
@@ -121,7 +121,7 @@ void showSigmaCells(Ui& ui, const ViewCanvas& canvas, std::span<const CellArea> 
                          0.0f, 0, width);
         }
         ui.probe.mark("view.sprite." + std::to_string(i), min, max);
-        drawCaption(ui, min, static_cast<int>(i));
+        drawCaption(ui, {min.x, max.y}, static_cast<int>(i));
     }
 }
 

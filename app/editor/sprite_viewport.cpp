@@ -23,10 +23,6 @@ GizmoTarget gizmoTarget(const Session& session, GizmoKind kind, double sigmaInFo
 }
 
 void add(SceneStats& sum, const SceneStats& stats) {
-    if (sum.drawn == 0) {
-        sum.sigmaInForce = stats.sigmaInForce;
-        sum.screenPxPerPx = stats.screenPxPerPx;
-    }
     sum.drawn += stats.drawn;
     sum.unseen += stats.unseen;
     sum.rays += stats.rays;
@@ -181,9 +177,12 @@ void SpriteViewport::drawAnchor(Ui& ui, const Camera& camera, const PlacedEntity
     ui.probe.mark("sprite.anchor", {at->x - outer, at->y - outer}, {at->x + outer, at->y + outer});
 }
 
+std::size_t SpriteViewport::cellInForce(const SceneSettings& settings) const {
+    return cells_.size() > 1 ? static_cast<std::size_t>(settings.comparison.inForce) : 0;
+}
+
 ViewHistory SpriteViewport::history(const SceneSettings& settings) const {
-    const std::size_t cell =
-        settings.comparison.on() ? static_cast<std::size_t>(settings.comparison.inForce) : 0;
+    const std::size_t cell = cellInForce(settings);
     if (cell >= cells_.size() || cells_[cell].histories.empty()) return {};
     return cells_[cell].histories.front();
 }
@@ -258,6 +257,9 @@ Result<bool> SpriteViewport::render(const Session& session, const GpuOctree& oct
     timer_.end();
     shown_ = wanted;
     if (!done) return Failure(done.error());
+    const SceneStats& inForce = cells_[cellInForce(settings.scene)].stats;
+    sum.sigmaInForce = inForce.sigmaInForce;
+    sum.screenPxPerPx = inForce.screenPxPerPx;
     figures_.entities = scene_.entityCount();
     figures_.stats = sum;
     figures_.cpuMs = took.count();

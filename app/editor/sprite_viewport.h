@@ -63,6 +63,7 @@ class SpriteViewport {
                                     const GameProfile& profile);
     // The size of one cell, and the history of the entity in the cell that is in force.
     [[nodiscard]] glm::ivec2 cellPx() const;
+    [[nodiscard]] std::size_t cellInForce(const SceneSettings& settings) const;
     [[nodiscard]] ViewHistory history(const SceneSettings& settings) const;
 
     struct Shown {

@@ -71,8 +71,13 @@ TEST_F(EditorScene, ASigmaBesideOthersBecomesTheGames) {
     static_cast<void>(centreOf("compare.3.use"));
     // In place: the cell in force is the profile's own.
     const glm::ivec2 number = centreOf("compare.1.sigma");
-    drag(number, number + glm::ivec2(40, 0));
-    await("a larger sigma", [](const Json& now) { return now.at("state").at("sigma") > 4.0; });
+    keyDown("ctrl");  // with it, a click types
+    click(number);
+    keyUp("ctrl");
+    key("ctrl+a");
+    type("5.5");
+    key("Return");
+    await("sigma 5.5", [](const Json& now) { return now.at("state").at("sigma") == 5.5; });
     EXPECT_EQ(state().at("steps"), 1);
 }
 
