@@ -146,7 +146,8 @@ void SceneBackdrop::drawBlobs(const Scene& scene, const Camera& camera) {
     std::vector<BlobBlock> blobs;
     blobs.reserve(scene.entities.size());
     for (const SceneEntity& entity : scene.entities) {
-        if (const auto blob = blobUnder(entity.placed, *scene.ground, camera, clipFromEye)) {
+        if (const auto blob = blobUnder(entity.shadow ? *entity.shadow : entity.placed,
+                                        *scene.ground, camera, clipFromEye)) {
             blobs.push_back(*blob);
         }
     }

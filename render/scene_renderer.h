@@ -3,10 +3,16 @@
 // Two ways to the same pixels (SpriteMode of core/model/game_profile.h): they agree in every pixel.
 // Which one is for the caller to say; the profile's own choice is profile.mode.
 //
-// With sprite buffers a scene is one instanced draw, however many entities it has: their finished
-// sprites lie in a common atlas, where equal sprites (SpriteKey) share one place and stay until the
-// room is needed. More draws are made only where a frame shows more sprites than the atlas holds,
-// or one that is larger than its pages.
+// Either way a scene is one instanced draw, however many entities of however many models it has.
+//
+// With sprite buffers the finished sprites lie in a common atlas, where equal sprites (SpriteKey)
+// share one place and stay until the room is needed; what a frame lacks is cast in one draw a page,
+// and outlined in another. More draws are made only where a frame shows more sprites than the atlas
+// holds, or one that is larger than its pages. A single pass casts from all octrees in one texture;
+// an octree that does not fit there is a draw of its own.
+//
+// What was worked out for an entity is remembered by its place in the scene: while camera, profile,
+// model, palette and entity stay the same a frame is a comparison of each and the draw.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +34,8 @@ struct SceneEntity {
     const GpuOctree* octree = nullptr;
     const Palette* palette = nullptr;
     PlacedEntity placed;
-    ViewHistory* history = nullptr;  // may be null: no hysteresis
+    ViewHistory* history = nullptr;        // may be null: no hysteresis; no two entities share one
+    const PlacedEntity* shadow = nullptr;  // what casts the shadow blob; null: `placed` does
 };
 
 struct Scene {

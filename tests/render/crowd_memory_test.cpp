@@ -283,6 +283,32 @@ TEST_F(CrowdMemory, EveryEntityHasItsShadow) {
     }
 }
 
+TEST_F(CrowdMemory, AShadowMayFallElsewhere) {
+    const GameProfile profile = plainProfile();
+    Scene scene;
+    scene.ground = Ground{};
+    scene.shadowBlobs = true;
+    scene.entities = {entity(*figure_, {-1.0, 0.0, 0.0}, profile)};
+    const PlacedEntity elsewhere = entity(*figure_, {1.0, 0.0, 0.0}, profile).placed;
+    const Camera view = camera(0.0, 35.0);
+    const Picture here = draw(scene, view, profile);
+    scene.entities[0].shadow = &elsewhere;
+    const Picture there = draw(scene, view, profile);
+    EXPECT_TRUE(here.depth == there.depth);
+    std::uint64_t left = 0;
+    std::uint64_t right = 0;
+    for (int y = 0; y < kViewport.y; ++y) {
+        for (int x = 0; x < kViewport.x; ++x) {
+            const int gained = here.colour.at(x, y).x - there.colour.at(x, y).x;
+            if (gained == 0) continue;
+            EXPECT_EQ(gained < 0, x < kViewport.x / 2);
+            ++(x < kViewport.x / 2 ? left : right);
+        }
+    }
+    EXPECT_GT(left, 100U);
+    EXPECT_GT(right, 100U);
+}
+
 TEST_F(CrowdMemory, AtlasesBeyondTheDriverAreRefused) {
     const auto wide = SceneRenderer::create({1 << 20, 1});
     ASSERT_FALSE(wide);
