@@ -185,11 +185,7 @@ Status SceneRenderer::Impl::castBatch(Pass& pass) {
         cast.job.framebuffer = cast.place.framebuffer();
         jobs.push_back(cast.job);
     }
-    const Status done = caster.cast(jobs, litRows.texture(), pass.profile.outline, pass.deep());
-    if (!done) {
-        for (const PendingCast& cast : batch.casts) atlas.forget(cast.key);
-    }
-    return done;
+    return caster.cast(jobs, litRows.texture(), pass.profile.outline, pass.deep());
 }
 
 // Casts and draws what is gathered.
@@ -208,9 +204,9 @@ Status SceneRenderer::Impl::finish(Pass& pass) {
 
 // The same, and makes room.
 Status SceneRenderer::Impl::flush(Pass& pass) {
-    const Status drawn = finish(pass);
+    if (const Status drawn = finish(pass); !drawn) return drawn;
     batch.clear();
-    return drawn;
+    return {};
 }
 
 Status SceneRenderer::Impl::drawRuns(Pass& pass) {
@@ -271,6 +267,10 @@ Status SceneRenderer::Impl::drawSprites(Pass& pass) {
     held.reset();
     Status drawn = gather(pass);
     if (drawn) drawn = finish(pass);
+    if (!drawn) {
+        // Room was taken for sprites that were not cast.
+        for (const PendingCast& cast : batch.casts) atlas.forget(cast.key);
+    }
     atlas.endFrame();
     if (drawn && pass.batches <= 1) held = pass.mode;
     return drawn;

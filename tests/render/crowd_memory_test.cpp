@@ -192,6 +192,27 @@ TEST_F(CrowdMemory, AHistoryThatWasTakenAwayIsBegunAnew) {
     }
 }
 
+TEST_F(CrowdMemory, AFrameThatFailsLeavesNothingBehind) {
+    GameProfile profile = plainProfile();
+    profile.sigma = 1.0;
+    const test::GpuModel rod(test::solidBox({40'000, 1, 1}, 3));
+    const Camera view = camera(0, 0, 9000.0);
+    Scene good;
+    good.background = kBackground;
+    good.entities = {entity(*figure_, {0.0, 0.0, 8990.0}, profile, 30.0)};
+    Scene bad = good;
+    bad.entities.push_back(entity(rod, {0.0, 0.0, 0.0}, profile));
+    Frame frame(view.viewportPx);
+    for (int turn = 0; turn < 2; ++turn) {
+        EXPECT_FALSE(renderer_->draw(frame, bad, view, profile, SpriteMode::spriteBuffer));
+        const Picture picture = draw(good, view, profile);
+        EXPECT_EQ(picture.stats.casts, turn == 0 ? 1U : 0U);
+        const Picture single = draw(good, view, profile, SpriteMode::singlePass);
+        EXPECT_EQ(mismatches(picture.colour, single.colour), 0U);
+        EXPECT_GT(std::ranges::count_if(picture.depth, [](float d) { return d > 0.0f; }), 1000);
+    }
+}
+
 TEST_F(CrowdMemory, EvictionWhileMovingChangesNothing) {
     GameProfile profile = plainProfile();
     profile.viewStepDegrees = 0.0;
