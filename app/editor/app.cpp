@@ -160,6 +160,7 @@ void App::startOver() {
     sprite_.forget();
     framed_ = false;
     figures_.editMilliseconds.reset();
+    longestFrameMilliseconds_ = 0.0;
 }
 
 void App::renderViews() {
@@ -245,6 +246,13 @@ void App::dumpLayout() {
     state["sprites"] = {{"entities", sprites.entities},
                         {"drawn", sprites.stats.drawn},
                         {"draw_calls", sprites.stats.drawCalls}};
+    const OrbitCamera& camera = voxels_.camera();
+    state["camera"] = {{"yaw", camera.yawDegrees},
+                       {"pitch", camera.pitchDegrees},
+                       {"distance", camera.distance},
+                       {"orthographic", camera.orthographic}};
+    state["working"] = files_.isWorking();
+    state["longest_frame_ms"] = std::round(longestFrameMilliseconds_);
     if (const auto& hovered = voxels_.hovered()) {
         const glm::ivec3 v = hovered->voxel, n = hovered->normal;
         state["hovered"] = {

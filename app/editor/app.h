@@ -43,6 +43,10 @@ class App {
     }
     // A script waits for what goes on behind the window; an artist never does.
     void finishWork() { files_.finishWork(); }
+    // How long the last frame took, from its input to its picture.
+    void noteFrame(double milliseconds) {
+        longestFrameMilliseconds_ = std::max(longestFrameMilliseconds_, milliseconds);
+    }
     void say(std::string text) { toasts_.info(std::move(text)); }
 
     [[nodiscard]] bool quits() const { return files_.quits(); }
@@ -98,6 +102,7 @@ class App {
     // When the input that this frame answers arrived.
     std::optional<double> editStart_;
     std::uint64_t shownModel_ = 0;
+    double longestFrameMilliseconds_ = 0.0;  // since a document was opened
     struct CameraPair {
         OrbitCamera edit, sprite;
     } before_;  // of the frame before, to see which one was moved

@@ -141,6 +141,7 @@ Status Editor::oneFrame() {
     }
     screenshots_.clear();
     window_.swapBuffers();
+    app_.noteFrame((Window::seconds() - now) * 1000.0);
     window_.setTitle(app_.windowTitle());
     return {};
 }

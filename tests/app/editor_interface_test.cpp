@@ -1,0 +1,148 @@
+// The window around the views: the first start, finding commands, keys bound anew, panels that
+// fold, cameras; and that all of it is still there at the next start.
+#include <fstream>
+
+#include "core/io/formats.h"
+#include "tests/app/editor_window.h"
+#include "tests/support/voxels.h"
+
+namespace voxprite::test {
+namespace {
+
+using Json = nlohmann::json;
+
+class EditorInterface : public EditorWindow {
+  protected:
+    void startWithBox() {
+        ASSERT_NO_FATAL_FAILURE(startDisplay({1280, 800}));
+        ASSERT_TRUE(
+            saveDocument(file("box.vox"), documentOf(solidBox({12, 10, 8}, 5)), GameProfile{}));
+        ASSERT_NO_FATAL_FAILURE(startEditor({file("box.vox").string()}));
+        ASSERT_NO_FATAL_FAILURE(awaitState("voxels", 960));
+    }
+    void startAgain() {
+        key("ctrl+q");
+        ASSERT_EQ(editor().wait(), 0) << said();
+        std::filesystem::remove(file("layout.json"));
+        ASSERT_NO_FATAL_FAILURE(startEditor({file("box.vox").string()}));
+        ASSERT_NO_FATAL_FAILURE(awaitState("voxels", 960));
+    }
+    void awaitState(const std::string& name, const Json& value) {
+        await(name + " = " + value.dump(),
+              [&](const Json& now) { return now.at("state").at(name) == value; });
+    }
+    void awaitCamera(const std::string& name, const Json& value) {
+        await("camera " + name + " = " + value.dump(),
+              [&](const Json& now) { return now.at("state").at("camera").at(name) == value; });
+    }
+    [[nodiscard]] double yaw() const { return state().at("camera").at("yaw").get<double>(); }
+    [[nodiscard]] float width(const std::string& item) const {
+        const Json& box = layout().at("items").at(item);
+        return box.at(2).get<float>() - box.at(0).get<float>();
+    }
+};
+
+TEST_F(EditorInterface, TheFirstStartExplainsTheWindowOnce) {
+    showTour();
+    ASSERT_NO_FATAL_FAILURE(startWithBox());
+    ASSERT_NO_FATAL_FAILURE(awaitState("dialog", "tour"));
+    // Nothing is drawn while it is up.
+    click(centreOf("view.edit"));
+    EXPECT_EQ(state().at("steps"), 0);
+    click(centreOf("tour.start"));
+    ASSERT_NO_FATAL_FAILURE(awaitState("dialog", ""));
+    ASSERT_NO_FATAL_FAILURE(startAgain());
+    EXPECT_EQ(state().at("dialog"), "");
+
+    // Again from the command palette, which finds it by a few letters.
+    key("ctrl+p");
+    ASSERT_NO_FATAL_FAILURE(awaitState("dialog", "palette"));
+    static_cast<void>(centreOf("palette.query"));
+    type("tour");
+    static_cast<void>(centreOf("palette.tour"));
+    key("Return");
+    ASSERT_NO_FATAL_FAILURE(awaitState("dialog", "tour"));
+    key("Escape");
+    ASSERT_NO_FATAL_FAILURE(awaitState("dialog", ""));
+}
+
+TEST_F(EditorInterface, KeysPanelsAndViewsStayAsTheyWereSet) {
+    ASSERT_NO_FATAL_FAILURE(startWithBox());
+    const float viewWidth = width("view.edit"), sideWidth = width("panel.inspector");
+
+    // F9 undoes, besides nothing else.
+    key("F1");
+    ASSERT_NO_FATAL_FAILURE(awaitState("dialog", "preferences"));
+    click(centreOf("preferences.search"));
+    type("undo");
+    click(centreOf("preferences.key.undo"));
+    key("F9");
+    click(centreOf("preferences.done"));
+    ASSERT_NO_FATAL_FAILURE(awaitState("dialog", ""));
+
+    // A wider side panel, and a view under a name.
+    const glm::ivec2 bar = centreOf("panel.sideBar");
+    drag(bar, {bar.x - 60, bar.y});
+    await("wider side panels",
+          [&](const Json&) { return width("panel.inspector") >= sideWidth + 40; });
+    key("3");
+    ASSERT_NO_FATAL_FAILURE(awaitCamera("yaw", 90.0));
+    key("5");
+    ASSERT_NO_FATAL_FAILURE(awaitCamera("orthographic", true));
+    key("v");
+    ASSERT_NO_FATAL_FAILURE(awaitState("dialog", "cameras"));
+    click(centreOf("cameras.name"));
+    type("Side");
+    click(centreOf("cameras.keep"));
+    static_cast<void>(centreOf("cameras.Side"));
+    key("Escape");
+    ASSERT_NO_FATAL_FAILURE(awaitState("dialog", ""));
+
+    // Nothing but the views, and back.
+    key("Tab");
+    await("wide views", [&](const Json&) { return width("view.edit") > viewWidth + 100; });
+    EXPECT_FALSE(layout().at("items").contains("panel.tools"));
+    key("Tab");
+    await("the panels again",
+          [](const Json& now) { return now.at("items").contains("panel.tools"); });
+
+    ASSERT_NO_FATAL_FAILURE(startAgain());
+    EXPECT_GE(width("panel.inspector"), sideWidth + 40);
+    EXPECT_EQ(state().at("camera").at("orthographic"), false);
+    key("v");
+    click(centreOf("cameras.Side"));
+    ASSERT_NO_FATAL_FAILURE(awaitCamera("orthographic", true));
+    EXPECT_EQ(yaw(), 90.0);
+    click(centreOf("view.edit"));
+    ASSERT_NO_FATAL_FAILURE(awaitState("voxels", 961));
+    key("F9");
+    ASSERT_NO_FATAL_FAILURE(awaitState("voxels", 960));
+}
+
+TEST_F(EditorInterface, TheCubeAndTheHabitsOfAnotherProgramTurnTheView) {
+    std::filesystem::create_directories(file("config") / "voxprite");
+    std::ofstream(file("config") / "voxprite" / "editor.json")
+        << R"({"window": {"tour_seen": true}, "input": {"navigation": 1}})";
+    ASSERT_NO_FATAL_FAILURE(startWithBox());
+    const glm::ivec2 middle = centreOf("view.edit"), cube = centreOf("view.cube");
+    const double start = yaw();
+    // Blender: the right button is nobody's, the middle one orbits.
+    drag(middle, {middle.x + 50, middle.y}, 3);
+    drag(middle, {middle.x + 60, middle.y}, 2);
+    await("an orbit of 60 pixels",
+          [&](const Json&) { return std::abs(yaw() - (start - 24.0)) < 1e-9; });
+
+    // From the front the cube's middle is its front; a drag on it orbits and draws nothing.
+    key("1");
+    ASSERT_NO_FATAL_FAILURE(awaitCamera("yaw", 0.0));
+    drag(cube, {cube.x - 100, cube.y});
+    await("an orbit by the cube", [&](const Json&) { return std::abs(yaw() - 40.0) < 1e-9; });
+    // Left of its middle there is then the front again, which a click looks from.
+    click({cube.x - 14, cube.y});
+    ASSERT_NO_FATAL_FAILURE(awaitCamera("yaw", 0.0));
+    EXPECT_EQ(state().at("camera").at("pitch"), 0.0);
+    EXPECT_EQ(state().at("steps"), 0);
+}
+
+}  // namespace
+}  // namespace voxprite::test
