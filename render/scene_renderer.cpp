@@ -70,11 +70,13 @@ struct Batch {
 // What is drawn now, and by which rules.
 struct Pass {
     Frame& frame;
+    const Scene& scene;
     const Camera& camera;
     const GameProfile& profile;
     SpriteMode mode;
     SceneStats& stats;
     int batches = 0;
+    bool begun = false;  // the frame is cleared, and what lies behind the sprites is drawn
 
     [[nodiscard]] bool deep() const { return profile.depth == DepthRule::perPixel; }
     [[nodiscard]] bool boxes() const { return profile.proxy == ProxyShape::box; }
@@ -100,6 +102,7 @@ struct SceneRenderer::Impl {
     Impl(SpriteCaster spriteCaster, SceneBackdrop sceneBackdrop, const AtlasLimits& limits)
         : caster(std::move(spriteCaster)), backdrop(std::move(sceneBackdrop)), atlas(limits) {}
 
+    void begin(Pass& pass);
     [[nodiscard]] Status drawSprites(Pass& pass);
     [[nodiscard]] Status gather(Pass& pass);
     [[nodiscard]] Status addFinished(Pass& pass, const SeenSprite& sprite);
@@ -209,7 +212,21 @@ Status SceneRenderer::Impl::flush(Pass& pass) {
     return {};
 }
 
+// As late as possible: what is cast goes elsewhere, and rasterisers that work tile by tile clear
+// and draw a tile at one go where nothing comes between.
+void SceneRenderer::Impl::begin(Pass& pass) {
+    if (pass.begun) return;
+    pass.begun = true;
+    if (SceneBackdrop::isEmpty(pass.scene)) {
+        pass.frame.beginWords(pass.scene.background);
+    } else {
+        pass.frame.begin(pass.scene.background);
+        backdrop.draw(pass.scene, pass.camera);
+    }
+}
+
 Status SceneRenderer::Impl::drawRuns(Pass& pass) {
+    begin(pass);
     pass.frame.bindWords();
     sprites.bind(BufferBinding::sprites);
     corners.bind(BufferBinding::spriteCorners);
@@ -289,16 +306,11 @@ Result<SceneStats> SceneRenderer::draw(Frame& frame, const Scene& scene, const C
         stats.sigmaInForce = sprites.front()->sigmaInForce;
         stats.screenPxPerPx = sprites.front()->screenPxPerPx;
     }
-    if (SceneBackdrop::isEmpty(scene)) {
-        frame.beginWords(scene.background);
-    } else {
-        frame.begin(scene.background);
-        impl_->backdrop.draw(scene, camera);
-    }
-    Pass pass{frame, camera, profile, mode, stats};
+    Pass pass{frame, scene, camera, profile, mode, stats};
     if (const Status drawn = impl_->drawSprites(pass); !drawn) {
         return tl::unexpected(drawn.error());
     }
+    impl_->begin(pass);
     stats.atlasBytes = impl_->atlas.bytes();
     return stats;
 }
