@@ -36,6 +36,7 @@ void addEdit(CLI::App& app, Command& command);
 void addInspect(CLI::App& app, Command& command);
 void addConvert(CLI::App& app, Command& command);
 void addExport(CLI::App& app, Command& command);
+void addPalette(CLI::App& app, Command& command);
 void addRender(CLI::App& app, Command& command);
 void addCompare(CLI::App& app, Command& command);
 void addBench(CLI::App& app, Command& command);

@@ -56,6 +56,7 @@ int runCommandLine(std::vector<std::string> arguments) {
     addInspect(app, command);
     addConvert(app, command);
     addExport(app, command);
+    addPalette(app, command);
     addRender(app, command);
     addCompare(app, command);
     addBench(app, command);

@@ -1,4 +1,5 @@
 // Palette variants and shading on the command line.
+#include <algorithm>
 #include <set>
 #include <tuple>
 
@@ -119,6 +120,53 @@ TEST_F(CliPalette, InspectListsVariantsAndConvertSaysWhatIsLost) {
     const Json exported = run({"export", model(), "-o", file("c.svo"), "--json"}).json();
     EXPECT_EQ(exported["warnings"].size(), 1u);
     EXPECT_EQ(exported["verified"], true);
+}
+
+TEST_F(CliPalette, ColoursComeOutAndGoIn) {
+    const Json listed = run({"palette", model(), "--json"}).json();
+    std::uint64_t voxels = 0;
+    for (const Json& used : listed["used"]) {
+        const auto index = used["index"].get<std::size_t>();
+        const Rgba8 c = document_.palette.colours[index];
+        EXPECT_EQ(used["rgb"], Json({c.x, c.y, c.z}));
+        voxels += used["voxels"].get<std::uint64_t>();
+    }
+    EXPECT_EQ(voxels, document_.models[0].voxels.solidCount());
+
+    // Out as each kind of file, in again: the same palette.
+    for (const char* name : {"c.gpl", "c.pal", "c.png"}) {
+        ASSERT_EQ(run({"palette", model(), "-o", file(name)}).status, 0);
+        ASSERT_EQ(
+            run({"palette", model(), "--import", file(name), "-o", file("in.voxprite")}).status, 0);
+        EXPECT_EQ(loadDocument(file("in.voxprite"))->document.palette, document_.palette) << name;
+    }
+    // A variant's colours into a variant of another name.
+    ASSERT_EQ(run({"palette", model(), "--variant", "Red team", "-o", file("red.png")}).status, 0);
+    ASSERT_EQ(run({"palette", model(), "--variant", "Blood", "--import", file("red.png"), "-o",
+                   file("more.voxprite")})
+                  .status,
+              0);
+    const Palette more = loadDocument(file("more.voxprite"))->document.palette;
+    ASSERT_EQ(more.variants.size(), 3u);
+    EXPECT_EQ(more.variants[2].name, "Blood");
+    EXPECT_EQ(more.withVariant(2).colours, document_.palette.withVariant(0).colours);
+
+    ASSERT_EQ(run({"palette", model(), "--remove-unused", "-o", file("few.voxprite")}).status, 0);
+    const Palette few = loadDocument(file("few.voxprite"))->document.palette;
+    for (std::size_t i = 1; i < 256; ++i) {
+        const bool used = std::ranges::any_of(listed["used"],
+                                              [&](const Json& each) { return each["index"] == i; });
+        EXPECT_EQ(few.colours[i], used ? document_.palette.colours[i] : Rgba8(0));
+    }
+
+    std::ofstream(file("bad.gpl")) << "GIMP Palette\nred\n";
+    const ProgramResult bad =
+        run({"palette", model(), "--import", file("bad.gpl"), "-o", file("x.voxprite"), "--json"});
+    EXPECT_EQ(bad.status, 1);
+    EXPECT_EQ(bad.json()["error"]["line"], 2);
+    EXPECT_FALSE(std::filesystem::exists(file("x.voxprite")));
+    EXPECT_EQ(run({"palette", model(), "--variant", "Blue", "--json"}).status, 1);
+    EXPECT_EQ(run({"palette", model(), "-o", file("x.txt")}).status, 1);
 }
 
 }  // namespace
