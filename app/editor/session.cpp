@@ -87,7 +87,7 @@ void Session::followPalette() {
 Status Session::followVoxels(const Changed::Voxels& changed) {
     voxelRevisions_[static_cast<std::size_t>(changed.model)] = ++lastVoxelRevision_;
     const std::size_t many = changed.positions.size();
-    if (many > kManyVoxels && many > octree_.solidCount() / 16) {
+    if (many > kManyVoxels && many > octree_.solidCount() / 64) {
         Status rebuilt = octree_.rebuild(flatten(workspace_.document, frame_));
         if (!rebuilt) return rebuilt;
         bounds_ = frames_ == 1 ? octree_.solidBounds() : entityBounds(workspace_.document);
@@ -95,11 +95,15 @@ Status Session::followVoxels(const Changed::Voxels& changed) {
         return {};
     }
     std::vector<LiveOctree::Edit> edits;
+    // Where no other object may lie over it or under it, the model itself says what shows.
+    const bool alone = sampler_->instances().size() == 1;
+    const VoxelGrid::Reader reader(
+        workspace_.document.models[static_cast<std::size_t>(changed.model)].voxels);
     for (const Instance& instance : sampler_->instances()) {
         if (instance.model != changed.model) continue;
         for (const glm::ivec3 position : changed.positions) {
             const glm::ivec3 voxel = instance.entityFromModel.applyToVoxel(position);
-            edits.push_back({voxel, sampler_->at(voxel)});
+            edits.push_back({voxel, alone ? reader.get(position) : sampler_->at(voxel)});
         }
     }
     if (Status applied = octree_.apply(edits); !applied) return applied;
@@ -270,11 +274,17 @@ int Session::nodeAt(glm::ivec3 entityVoxel) const {
     return -1;
 }
 
-PlacedEntity Session::placedInGame() const {
-    const IBox shown = shownBounds();
-    PlacedEntity placed = placeEntity(document().entity, shown, profile());
-    placed.anchor = anchorVoxels(document().entity, bounds_) - glm::dvec3(shown.min);
+PlacedEntity Session::madeInGame() const {
+    PlacedEntity placed = placeEntity(document().entity, bounds_, profile());
     placed.anchorMetres.y += groundClearanceMetres(profile());
+    return placed;
+}
+
+PlacedEntity Session::placedInGame() const {
+    PlacedEntity placed = madeInGame();
+    const IBox shown = shownBounds();
+    placed.modelSize = shown.empty() ? glm::ivec3(0) : shown.size();
+    placed.anchor = anchorVoxels(document().entity, bounds_) - glm::dvec3(shown.min);
     return placed;
 }
 
