@@ -6,6 +6,7 @@
 #include <bit>
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>
+#include <string>
 
 namespace voxprite {
 
@@ -36,12 +37,21 @@ void flipRows(std::vector<T>& values, int width) {
 
 }  // namespace
 
+Status Frame::checkSize(glm::ivec2 sizePx) {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    if (sizePx.x <= most && sizePx.y <= most) return {};
+    return fail("a picture of " + std::to_string(sizePx.x) + " x " + std::to_string(sizePx.y) +
+                " pixels; textures of this driver end at " + std::to_string(most));
+}
+
 Frame::Frame(glm::ivec2 sizePx) {
     resize(sizePx);
 }
 
 void Frame::resize(glm::ivec2 sizePx) {
     sizePx = glm::max(sizePx, glm::ivec2(1));
+    if (!checkSize(sizePx)) sizePx = glm::ivec2(1);  // draws onto it fail, by its size
     if (sizePx == sizePx_) return;
     sizePx_ = sizePx;
     colour_ = gl::createTexture2d();

@@ -7,12 +7,16 @@
 #include <vector>
 
 #include "core/base/image.h"
+#include "core/base/result.h"
 #include "render/gl/handles.h"
 
 namespace voxprite {
 
 class Frame {
   public:
+    // Has the driver textures of this size?
+    [[nodiscard]] static Status checkSize(glm::ivec2 sizePx);
+    // Within that size, or what is drawn onto it fails.
     explicit Frame(glm::ivec2 sizePx);
     void resize(glm::ivec2 sizePx);  // keeps nothing; no-op when equal
     // Binds it, sets the viewport and clears colour and depth.

@@ -29,6 +29,9 @@ enum class BufferBinding : std::uint32_t { sprites = 0, spriteCorners = 1, blobs
 // binding = N of each texture
 enum class TextureUnit : std::uint32_t { svo = 0, palette = 1, spriteColours = 2, spriteIds = 3 };
 
+// binding = N of each image
+enum class ImageUnit : std::uint32_t { sprites = 0 };
+
 struct OctreeBlock {
     glm::uvec3 svo_model_size{0};
     std::uint32_t svo_max_depth = 1;

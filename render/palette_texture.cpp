@@ -33,4 +33,9 @@ void bindTexture(TextureUnit unit, std::uint32_t texture) {
     glBindSampler(static_cast<GLuint>(unit), 0);
 }
 
+void bindImage(ImageUnit unit, std::uint32_t textureArray) {
+    glBindImageTexture(static_cast<GLuint>(unit), textureArray, 0, GL_TRUE, 0, GL_READ_ONLY,
+                       GL_R32UI);
+}
+
 }  // namespace voxprite

@@ -23,5 +23,7 @@ class PaletteTexture {
 };
 
 void bindTexture(TextureUnit unit, std::uint32_t texture);
+// A texture array of R32UI, to be read texel by texel.
+void bindImage(ImageUnit unit, std::uint32_t textureArray);
 
 }  // namespace voxprite

@@ -1,7 +1,5 @@
 #include "render/scene_renderer.h"
 
-#include <glad/gl.h>
-
 #include <algorithm>
 #include <span>
 
@@ -245,7 +243,7 @@ Status SceneRenderer::Impl::drawRuns(Pass& pass) {
         if (!run.narrow && (pass.deep() || !buffered)) variants |= kWideLattice;
         if (const Status ready = (buffered ? blit : single).use(variants); !ready) return ready;
         if (buffered) {
-            glBindImageTexture(0, run.sheet->colours.id(), 0, GL_TRUE, 0, GL_READ_ONLY, GL_R32UI);
+            bindImage(ImageUnit::sprites, run.sheet->colours.id());
             if (pass.deep()) bindTexture(TextureUnit::spriteIds, run.sheet->ids.id());
         } else {
             bindTexture(TextureUnit::svo, run.octreeTexture);
@@ -296,6 +294,10 @@ Status SceneRenderer::Impl::drawSprites(Pass& pass) {
 Result<SceneStats> SceneRenderer::draw(Frame& frame, const Scene& scene, const Camera& camera,
                                        const GameProfile& profile, SpriteMode mode) {
     SceneStats stats;
+    if (const Status fits = Frame::checkSize(camera.viewportPx); !fits) {
+        return tl::unexpected(fits.error());
+    }
+    if (camera.viewportPx != frame.sizePx()) return fail("the camera is not one of this frame");
     if (const Status seen = impl_->look.update(scene, camera, profile); !seen) {
         return tl::unexpected(seen.error());
     }

@@ -162,6 +162,17 @@ TEST_F(Scenes, OnlyWhatIsOnTheScreenIsCast) {
     EXPECT_EQ(draw(scene, close, profile).stats.unseen, 1);
 }
 
+TEST_F(Scenes, APictureBeyondTheDriversTexturesIsAnErrorThatSaysSo) {
+    const GameProfile profile = plainProfile();
+    const Scene scene = crowd(profile);
+    Camera wide = camera(0, 0);
+    wide.viewportPx = {30'000, 20};
+    Frame frame(wide.viewportPx);
+    const auto stats = renderer_->draw(frame, scene, wide, profile, SpriteMode::spriteBuffer);
+    ASSERT_FALSE(stats);
+    EXPECT_NE(stats.error().message.find("30000 x 20"), std::string::npos) << stats.error().message;
+}
+
 TEST_F(Scenes, ASpriteBeyondTheDriversTexturesIsAnErrorThatSaysSo) {
     GameProfile profile = plainProfile();
     profile.sigma = 1.0;
