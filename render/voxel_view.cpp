@@ -40,8 +40,22 @@ struct VoxelViewBlock {
     std::array<float, 2> padding{};
     glm::vec4 ghost_tint{0.0f};
     glm::vec4 sun{0.0f};
+    float ghost_nearer = 1.0f;
+    float ghost_mixed = 0.0f;
+    float ghost_outline_px = 0.0f;
+    float ghost_dash_px = 1.0f;
 };
-static_assert(sizeof(VoxelViewBlock) == 448);
+static_assert(sizeof(VoxelViewBlock) == 464);
+
+// How voxels look that lie over the model. Where a ghost has the model's own surface, it gives way
+// or it covers it, however the two are rounded.
+struct Ghost {
+    glm::vec4 tint{0.0f};  // alpha 0: no ghost, but the model itself
+    float mixed = 0.7f;
+    float nearer = 1.0f - 1e-5f;
+    float outlinePx = 0.0f;
+    float dashPx = 1.0f;
+};
 
 // Voxel coordinates from the middle of the octree's root cube, which shaders compute in.
 struct RootSpace {
@@ -87,7 +101,7 @@ struct VoxelView::Impl {
     void setPalette(const Palette& colours, const RootSpace& space,
                     const VoxelViewOptions& options);
     void setView(const GpuOctree& octree, const PlacedEntity& placed, const Camera& camera,
-                 const VoxelViewOptions& options, glm::vec4 ghostTint);
+                 const VoxelViewOptions& options, const Ghost& ghost);
     void drawVoxels(const GpuOctree& octree, const Palette& colours, const RootSpace& space,
                     const VoxelViewOptions& options, const gl::DrawState& state);
 };
@@ -175,14 +189,18 @@ void VoxelView::Impl::setPalette(const Palette& colours, const RootSpace& space,
 
 void VoxelView::Impl::setView(const GpuOctree& octree, const PlacedEntity& placed,
                               const Camera& camera, const VoxelViewOptions& options,
-                              glm::vec4 ghostTint) {
+                              const Ghost& ghost) {
     const RootSpace space(octree, placed, camera);
     VoxelViewBlock block;
     fillBox(block, octree, placed, camera);
     fillRays(block, space, camera);
     fillLook(block, space, octree, options);
-    block.ghost_tint = ghostTint;
-    if (ghostTint.w > 0.0f) block.sun = glm::vec4(0.0f);  // a ghost has no shadow
+    block.ghost_tint = ghost.tint;
+    block.ghost_nearer = ghost.nearer;
+    block.ghost_mixed = ghost.mixed;
+    block.ghost_outline_px = ghost.outlinePx;
+    block.ghost_dash_px = ghost.dashPx;
+    if (ghost.tint.w > 0.0f) block.sun = glm::vec4(0.0f);  // a ghost has no shadow
     viewBlock.set(BlockBinding::voxelView, block);
     octreeBlock.set(BlockBinding::octree, octree.block());
     if (octree.texture() != 0) bindTexture(TextureUnit::svo, octree.texture());
@@ -204,7 +222,7 @@ void VoxelView::draw(Frame& frame, const GpuOctree& octree, const Palette& palet
                      const PlacedEntity& placed, const Camera& camera,
                      const VoxelViewOptions& options) {
     frame.begin(options.backgroundBottom);
-    impl_->setView(octree, placed, camera, options, glm::vec4(0.0f));
+    impl_->setView(octree, placed, camera, options, {});
     gl::apply({});
     gl::useProgram(impl_->backdrop);
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -217,10 +235,34 @@ void VoxelView::drawGhost(Frame& frame, const GpuOctree& octree, const Palette& 
                           const PlacedEntity& placed, const Camera& camera,
                           const VoxelViewOptions& options, Rgba8 tint) {
     frame.bind();
-    impl_->setView(octree, placed, camera, options, toVec4(tint));
+    impl_->setView(octree, placed, camera, options, {.tint = toVec4(tint)});
     impl_->drawVoxels(
         octree, palette, RootSpace(octree, placed, camera), options,
         {.depthTest = gl::DepthTest::nearer, .blend = true, .cull = gl::Cull::frontFaces});
+}
+
+void VoxelView::drawMarked(Frame& frame, const GpuOctree& octree, const Palette& palette,
+                           const PlacedEntity& placed, const Camera& camera, Rgba8 tint,
+                           float scale) {
+    constexpr float kHidden = 0.35f;  // of what is in sight
+    VoxelViewOptions flat;
+    flat.edges = flat.occlusion = false;
+    Ghost ghost{.tint = toVec4(tint),
+                .mixed = 1.0f,
+                .nearer = 1.0f + 2e-5f,
+                .outlinePx = 1.25f * scale,
+                .dashPx = 5.0f * scale};
+    const RootSpace space(octree, placed, camera);
+    frame.bind();
+    for (const bool hidden : {true, false}) {
+        Ghost look = ghost;
+        if (hidden) look.tint.w *= kHidden;
+        impl_->setView(octree, placed, camera, flat, look);
+        impl_->drawVoxels(octree, palette, space, flat,
+                          {.depthTest = hidden ? gl::DepthTest::behind : gl::DepthTest::nearer,
+                           .blend = true,
+                           .cull = gl::Cull::frontFaces});
+    }
 }
 
 Result<VoxelView> VoxelView::create() {

@@ -65,6 +65,27 @@ float occlusion(Hit hit, bool faces_up, vec2 position, inout Cursor cursor) {
     return mix(rows.x, rows.y, at.y);
 }
 
+// The opacity of a line along those edges of the face at which the voxels end.
+float outline(Hit hit, vec2 position, vec2 footprint, inout Cursor cursor) {
+    ivec3 u = hit.axis == 0 ? ivec3(0, 1, 0) : ivec3(1, 0, 0);
+    ivec3 v = hit.axis == 2 ? ivec3(0, 1, 0) : ivec3(0, 0, 1);
+    vec2 low = 1.0 - vec2(solidAt(hit.cell - u, cursor), solidAt(hit.cell - v, cursor));
+    vec2 high = 1.0 - vec2(solidAt(hit.cell + u, cursor), solidAt(hit.cell + v, cursor));
+    vec2 at_px = fract(position) / footprint;
+    vec2 end_px = (1.0 - fract(position)) / footprint;
+    vec2 line = max(low * clamp(ghost_outline_px + 0.5 - at_px, 0.0, 1.0),
+                    high * clamp(ghost_outline_px + 0.5 - end_px, 0.0, 1.0));
+    return max(line.x, line.y);
+}
+
+vec4 ghostColour(vec3 shaded, float line) {
+    vec4 tinted = vec4(mix(shaded, ghost_tint.rgb, ghost_mixed), ghost_tint.a);
+    // Light and dark in turn, so that the line shows on every colour.
+    bool dark = mod(gl_FragCoord.x + gl_FragCoord.y, 2.0 * ghost_dash_px) < ghost_dash_px;
+    vec4 dash = vec4(vec3(dark ? 0.08 : 1.0), min(1.0, 3.0 * ghost_tint.a));
+    return mix(tinted, dash, line);
+}
+
 void main() {
     vec2 screen = gl_FragCoord.xy;
     vec3 origin = voxelRayOrigin(screen);
@@ -96,10 +117,13 @@ void main() {
                            (1.0 - smoothstep(0.5, 1.0, large));
     }
     if (edges_shown != 0) light *= 1.0 - 0.16 * edgeShade(position, footprint);
-    colour = ghost_tint.a > 0.0 ? vec4(mix(base * light, ghost_tint.rgb, 0.7), ghost_tint.a)
-                                : vec4(base * light, 1.0);
+    colour = vec4(base * light, 1.0);
     gl_FragDepth = (view_depth_from_t.x * hit.t + view_depth_from_t.y) /
                    (view_depth_from_t.z * hit.t + view_depth_from_t.w);
-    // A ghost gives way where it has the model's own surface, however the two are rounded.
-    if (ghost_tint.a > 0.0) gl_FragDepth *= 1.0 - 1e-5;
+    if (ghost_tint.a > 0.0) {
+        float line =
+            ghost_outline_px > 0.0 ? outline(hit, position, footprint, cursor) : 0.0;
+        colour = ghostColour(colour.rgb, line);
+        gl_FragDepth = min(1.0, gl_FragDepth * ghost_nearer);
+    }
 }

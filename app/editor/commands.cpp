@@ -15,9 +15,10 @@ namespace {
 
 std::vector<Command> allCommands() {
     std::vector<Command> all;
-    for (const auto table : {fileCommands(), editCommands(), objectCommands(), animationCommands(),
-                             toolCommands(), toolOptionCommands(), paletteCommands(),
-                             viewCommands(), sceneCommands(), helpCommands()}) {
+    for (const auto table :
+         {fileCommands(), editCommands(), clipboardCommands(), selectionCommands(),
+          objectCommands(), animationCommands(), toolCommands(), toolOptionCommands(),
+          paletteCommands(), viewCommands(), sceneCommands(), helpCommands()}) {
         all.insert(all.end(), table.begin(), table.end());
     }
     return all;
@@ -47,6 +48,8 @@ const char* titleOf(MenuId menu) {
             return "File";
         case MenuId::edit:
             return "Edit";
+        case MenuId::select:
+            return "Select";
         case MenuId::object:
             return "Object";
         case MenuId::animation:

@@ -31,6 +31,42 @@ enum class CommandId : std::uint8_t {
     // Edit
     undo,
     redo,
+    cutVoxels,
+    copyVoxels,
+    pasteVoxels,
+    duplicateVoxels,
+    deleteVoxels,
+    // Selection
+    selectAllVoxels,
+    selectNone,
+    invertSelected,
+    selectByColour,
+    editInsideSelection,
+    toolMove,
+    nudgeRight,
+    nudgeLeft,
+    nudgeBack,
+    nudgeFront,
+    nudgeRaise,
+    nudgeLower,
+    turnVoxelsX,
+    turnVoxelsY,
+    turnVoxelsZ,
+    turnVoxelsBackZ,
+    flipVoxelsX,
+    flipVoxelsY,
+    flipVoxelsZ,
+    scaleVoxels,
+    recolourVoxels,
+    cropVoxels,
+    voxelsToObject,
+    hollowOut,
+    dilateVoxels,
+    erodeVoxels,
+    smoothVoxels,
+    centreVoxels,
+    dropToGround,
+    trimToLimits,
     // Objects
     addObject,
     duplicateObject,
@@ -96,6 +132,7 @@ enum class CommandId : std::uint8_t {
     gizmoScale,
     // View
     frameModel,
+    frameSelection,
     viewFront,
     viewBack,
     viewRight,
@@ -158,7 +195,18 @@ enum class CommandId : std::uint8_t {
     about
 };
 
-enum class MenuId : std::uint8_t { none, file, edit, object, animation, tool, palette, view, help };
+enum class MenuId : std::uint8_t {
+    none,
+    file,
+    edit,
+    select,
+    object,
+    animation,
+    tool,
+    palette,
+    view,
+    help
+};
 
 struct Command {
     CommandId id = CommandId::newFile;

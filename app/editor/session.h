@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/selection.h"
 #include "app/editor/shown_octree.h"
 #include "core/edit/clip.h"
 #include "core/edit/history.h"
@@ -72,9 +73,15 @@ class Session {
     [[nodiscard]] Status perform(Action action);
     [[nodiscard]] Status undo();
     [[nodiscard]] Status redo();
-    // What was last copied or cut; the clipboard of the voxel tools. No part of the document.
+    // What the artist has selected, and what is in the air; it follows the document.
+    [[nodiscard]] const VoxelSelection& selection() const { return selection_; }
+    [[nodiscard]] VoxelSelection& selection() { return selection_; }
+    // What was last copied or cut; the clipboard of the voxel tools, placed in entity space: as it
+    // looked on screen. No part of the document: it outlives it.
     [[nodiscard]] const std::optional<VoxelClip>& clip() const { return clip_; }
     void setClip(std::optional<VoxelClip> clip) { clip_ = std::move(clip); }
+    // Most that undo may hold.
+    void limitHistory(std::size_t bytes) { history_.setMemoryLimitBytes(bytes); }
     // A key of its own for the actions of one stroke or drag, which become one step.
     [[nodiscard]] std::uint64_t newMergeKey() { return ++lastMergeKey_; }
 
@@ -95,7 +102,12 @@ class Session {
     // a preview never makes it jump); and as it is edited: entity space itself, one unit a voxel,
     // its origin at the world's, so that nothing moves while voxels are added.
     [[nodiscard]] PlacedEntity placedInGame() const;
-    [[nodiscard]] PlacedEntity placedForEditing() const;
+    // The entity of the document itself as it stands in the game: what shows no preview, and must
+    // not move while the pointer does.
+    [[nodiscard]] PlacedEntity madeInGame() const;
+    [[nodiscard]] PlacedEntity placedForEditing() const { return placedForEditing(shownBounds()); }
+    // Voxels of a box of entity space, where they lie in that view.
+    [[nodiscard]] static PlacedEntity placedForEditing(const IBox& box);
 
     [[nodiscard]] Status startNew();
     [[nodiscard]] Status open(const std::filesystem::path& path);
@@ -120,6 +132,10 @@ class Session {
     };
     [[nodiscard]] static Result<Opened> read(const std::filesystem::path& path);
     void adopt(Opened opened);
+    // The copy of unsaved work that a crash left (recovery/recovery_folder.h): it is `file`, if any,
+    // with changes that are in no file yet.
+    [[nodiscard]] Status recover(const std::filesystem::path& document, const GameProfile& profile,
+                                 const std::optional<std::filesystem::path>& file);
     struct Saving {
         std::filesystem::path path;
         Format format = Format::voxprite;
@@ -186,6 +202,7 @@ class Session {
     std::optional<std::filesystem::path> profilePath_;
     GameProfile savedProfile_;
     std::vector<std::string> warnings_;
+    VoxelSelection selection_;
     std::optional<VoxelClip> clip_;
 };
 

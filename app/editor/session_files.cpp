@@ -13,6 +13,7 @@ void Session::adopt(Document document, Derived derived) {
     frame_ = 0;
     activeNode_ = -1;
     voxelRevisions_.clear();
+    selection_.forget();
     install(std::move(derived));
     showVariant(std::nullopt);
     history_.clear();
@@ -54,6 +55,17 @@ Status Session::open(const std::filesystem::path& path) {
     Result<Opened> opened = read(path);
     if (!opened) return Failure(opened.error());
     adopt(std::move(*opened));
+    return {};
+}
+
+Status Session::recover(const std::filesystem::path& document, const GameProfile& profile,
+                        const std::optional<std::filesystem::path>& file) {
+    Result<Opened> opened = read(document);
+    if (!opened) return Failure(opened.error());
+    adopt(std::move(*opened));
+    workspace_.profile = profile;
+    path_ = file;
+    history_.markUnsaved();
     return {};
 }
 

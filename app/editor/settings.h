@@ -34,7 +34,8 @@ enum class ToolKind : std::uint8_t {
     wand,
     pickColour,
     anchor,
-    socket
+    socket,
+    move  // what is selected, or the whole object
 };
 enum class GizmoKind : std::uint8_t { none, move, rotate, scale };
 enum class DockTab : std::uint8_t { palette, objects, history, scene };
@@ -51,6 +52,11 @@ struct ToolSettings {
     void choose(ToolKind chosen);
     // Leaves a tool that is good for one click, as it would do itself.
     void chooseMode(EditMode chosen);
+    // A tool that selects, or does something with what is selected.
+    [[nodiscard]] static bool isForSelection(ToolKind tool) {
+        return tool == ToolKind::selectBox || tool == ToolKind::selectRectangle ||
+               tool == ToolKind::wand || tool == ToolKind::move;
+    }
     [[nodiscard]] bool isForOneClick() const {
         return tool == ToolKind::pickColour || tool == ToolKind::anchor;
     }

@@ -54,7 +54,7 @@ class Reader {
 template <class Archive>
 void describe(Archive archive, ToolSettings& tool) {
     archive.choice("mode", tool.mode, EditMode::paint);
-    archive.choice("tool", tool.tool, ToolKind::socket);
+    archive.choice("tool", tool.tool, ToolKind::move);
     archive.choice("gizmo", tool.gizmo, GizmoKind::scale);
     ToolOptions& options = tool.options;
     archive.choice("tip", options.tip, TipShape::disc);
@@ -62,6 +62,8 @@ void describe(Archive archive, ToolSettings& tool) {
     archive.field("hollow", options.hollow);
     archive.choice("neighbours", options.neighbours, Neighbours::twentySix);
     archive.field("same_colour", options.sameColour);
+    archive.field("inside_selection", options.insideSelection);
+    archive.field("in_sight", options.inSight);
 }
 
 template <class Archive>

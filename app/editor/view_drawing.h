@@ -19,6 +19,8 @@ class ViewDrawing {
 
     // World to window pixels; nothing for what is behind the eye.
     [[nodiscard]] std::optional<ImVec2> project(glm::dvec3 world) const;
+    // Pixels of the view to window pixels.
+    [[nodiscard]] ImVec2 toWindow(glm::dvec2 viewPx) const { return canvas_->toWindow(viewPx); }
     void line(glm::dvec3 a, glm::dvec3 b, ImU32 colour, float width) const;
     // Entity space of the edit view.
     void face(const std::array<glm::dvec3, 4>& corners, ImU32 colour) const;

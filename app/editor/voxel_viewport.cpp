@@ -50,6 +50,12 @@ std::string hintOf(const ToolSettings& settings, EditMode mode, bool busy) {
             return "Laser";
         case ToolKind::stamp:
             return "Stamp";
+        case ToolKind::selectBox:
+        case ToolKind::selectRectangle:
+        case ToolKind::wand:
+            return "Select; Shift adds, Shift+Alt removes";
+        case ToolKind::move:
+            return "Move voxels: drag them, an arrow, or use the arrow keys";
         default:
             return modeName(mode);
     }
@@ -67,12 +73,16 @@ Result<VoxelViewport> VoxelViewport::create() {
 
 void VoxelViewport::frameModel(const Session& session) {
     const IBox& bounds = session.bounds();
-    const IBox shown = bounds.empty() ? kEmptyShown : bounds;
-    camera_.frame(boundsCorners(shown), 0.2, canvas_.sizePx());
+    frameBox(bounds.empty() ? kEmptyShown : bounds);
+}
+
+void VoxelViewport::frameBox(const IBox& box) {
+    camera_.frame(boundsCorners(box), 0.2, canvas_.sizePx());
 }
 
 void VoxelViewport::show(Ui& ui, ImVec2 min, ImVec2 size, std::string& refusal) {
     ViewInput input = canvas_.begin(ui, "view.edit", min, size);
+    scale_ = ui.theme.scale;
     const ImGuiIO& io = ImGui::GetIO();
     turn_.advance(camera_, static_cast<double>(io.DeltaTime));
     canvas_.useViewCube(ui, input, camera_, turn_);
@@ -85,6 +95,7 @@ void VoxelViewport::show(Ui& ui, ImVec2 min, ImVec2 size, std::string& refusal) 
     hand.released = input.released;
     hand.shift = io.KeyShift;
     hand.control = io.KeyCtrl;
+    hand.alt = io.KeyAlt;
     if (tools_.wantsWheel()) hand.wheel = std::exchange(input.wheel, 0.0);
     ViewCanvas::navigate(input, camera_);
     const Camera camera = camera_.camera(input.sizePx);
@@ -129,7 +140,8 @@ bool VoxelViewport::render(const Session& session, const GpuOctree& octree,
                  session.profile().light,
                  session.bounds(),
                  guides,
-                 {}};
+                 {},
+                 selection_.follow(session)};
     for (const OnionSkin::Ghost& ghost : ghosts) wanted.ghosts.push_back(ghost.octree->revision());
     if (shown_ == wanted) return false;
     VoxelViewOptions look;
@@ -148,6 +160,7 @@ bool VoxelViewport::render(const Session& session, const GpuOctree& octree,
         view_.drawGhost(canvas_.frame(), *ghost.octree, session.shownPalette(),
                         session.placedForEditing(), camera, look, ghost.tint);
     }
+    selection_.draw(view_, canvas_.frame(), session, camera, scale_);
     OverlayShapes shapes = guidesOf(guides, wanted.bounds, 1.0f);
     if (wanted.view.boundsBox && !wanted.bounds.empty()) {
         shapes.addBox(boundsCorners(wanted.bounds), behind.ink, 1.5f);

@@ -5,6 +5,7 @@
 
 #include "app/editor/onion_skin.h"
 #include "app/editor/picking.h"
+#include "app/editor/selection_picture.h"
 #include "app/editor/tools/tool_box.h"
 #include "app/editor/view_canvas.h"
 #include "core/base/result.h"
@@ -26,6 +27,8 @@ class VoxelViewport {
     [[nodiscard]] CameraTurn& turn() { return turn_; }
     [[nodiscard]] bool turns() const { return turn_.running(); }
     void frameModel(const Session& session);
+    // So that a box of entity space fills the view.
+    void frameBox(const IBox& box);
     [[nodiscard]] const std::optional<Pick>& hovered() const { return hovered_; }
     // The tool in hand, for its options.
     [[nodiscard]] ToolBox& tools() { return tools_; }
@@ -47,6 +50,7 @@ class VoxelViewport {
         IBox bounds;
         ToolOptions guides;
         std::vector<std::uint64_t> ghosts;  // revisions of their octrees
+        std::uint64_t marked = 0;           // that of what is selected
         bool operator==(const Shown&) const = default;
     };
 
@@ -57,7 +61,9 @@ class VoxelViewport {
     CameraTurn turn_;
     ToolBox tools_;
     OnionSkin onion_;
+    SelectionPicture selection_;
     std::optional<Pick> hovered_;
+    float scale_ = 1.0f;  // device pixels a pixel
     std::optional<Shown> shown_;
 };
 

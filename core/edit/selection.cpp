@@ -1,8 +1,10 @@
 #include "core/edit/selection.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/edit/cube_bits.h"
+#include "core/edit/patch_builder.h"
 
 namespace voxprite {
 
@@ -10,6 +12,53 @@ namespace {
 
 IBox boxOf(const VoxelBlock& block) {
     return {block.origin, block.origin + block.edgeVoxels};
+}
+
+enum class Lies : std::uint8_t { inside, outside, across };
+
+// Of the middles of the voxels in `box`, which are those of its corner voxels and between.
+Lies where(std::span<const HalfSpace> sides, const IBox& box) {
+    const glm::dvec3 first = glm::dvec3(box.min) + 0.5, last = glm::dvec3(box.max) - 0.5;
+    Lies lies = Lies::inside;
+    for (const HalfSpace& side : sides) {
+        double least = -side.offset, most = -side.offset;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double a = side.normal[axis] * first[axis], b = side.normal[axis] * last[axis];
+            least += std::min(a, b);
+            most += std::max(a, b);
+        }
+        if (most < 0.0) return Lies::outside;
+        if (least < 0.0) lies = Lies::across;
+    }
+    return lies;
+}
+
+// `box` is a cube, all solid where it is larger than 8.
+void selectInBlock(const VoxelGrid& voxels, std::span<const HalfSpace> sides, const IBox& box,
+                   VoxelSet& set) {
+    const Lies lies = where(sides, box);
+    if (lies == Lies::outside) return;
+    const int edge = box.size().x;
+    if (edge == 8) {
+        if (lies == Lies::inside) {
+            insertBits(set, box.min, solidBits(voxels, box.min));
+            return;
+        }
+        const CubeBytes values = cubeBytes(voxels, box.min);
+        for (int i = 0; i < 512; ++i) {
+            if (values[static_cast<std::size_t>(i)] == 0) continue;
+            const glm::ivec3 v = box.min + glm::ivec3(i >> 6, (i >> 3) & 7, i & 7);
+            if (where(sides, {v, v + 1}) == Lies::inside) set.insert(v);
+        }
+        return;
+    }
+    if (lies == Lies::inside) return set.insert(box);
+    const int half = edge / 2;
+    for (int octant = 0; octant < 8; ++octant) {
+        const glm::ivec3 min =
+            box.min + half * glm::ivec3(octant & 1, (octant >> 1) & 1, (octant >> 2) & 1);
+        selectInBlock(voxels, sides, {min, min + half}, set);
+    }
 }
 
 }  // namespace
@@ -54,6 +103,14 @@ VoxelSet selectIf(const VoxelGrid& voxels, const std::function<bool(glm::ivec3 v
     VoxelSet set;
     voxels.forEachSolid([&](glm::ivec3 v, std::uint8_t) {
         if (choose(v)) set.insert(v);
+    });
+    return set;
+}
+
+VoxelSet selectInside(const VoxelGrid& voxels, std::span<const HalfSpace> sides) {
+    VoxelSet set;
+    voxels.forEachBlock([&](const VoxelBlock& block) {
+        selectInBlock(voxels, sides, boxOf(block), set);
     });
     return set;
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "core/base/box.h"
 #include "core/edit/voxel_set.h"
@@ -23,6 +24,14 @@ enum class SelectMode : std::uint8_t { replace, add, remove, intersect };
 // It is asked once for every solid voxel.
 [[nodiscard]] VoxelSet selectIf(const VoxelGrid& voxels,
                                 const std::function<bool(glm::ivec3 v)>& choose);
+// Where dot(normal, p) >= offset, p in continuous model space.
+struct HalfSpace {
+    glm::dvec3 normal{0.0};
+    double offset = 0.0;
+};
+// The solid voxels whose middles lie in all of these: what a rectangle on the screen goes through.
+// Whole blocks are decided at once where no plane runs through them.
+[[nodiscard]] VoxelSet selectInside(const VoxelGrid& voxels, std::span<const HalfSpace> sides);
 // The solid voxels that are not selected.
 [[nodiscard]] VoxelSet inverted(const VoxelGrid& voxels, const VoxelSet& selection);
 // Drops what is no longer solid, after an edit or an undo.

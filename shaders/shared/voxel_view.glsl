@@ -22,6 +22,10 @@ layout(std140, binding = 6) uniform VoxelViewBlock {
     int occlusion_shown;
     vec4 ghost_tint;            // alpha: that of a ghost's pixels; 0 for the model itself
     vec4 sun;                   // where it is; w: how much its light is missed in shadow, 0: none
+    float ghost_nearer;         // what a ghost's depth is multiplied by
+    float ghost_mixed;          // how much of its colour is the tint's
+    float ghost_outline_px;     // width of the dashed line around it; 0: none
+    float ghost_dash_px;
 };
 
 vec3 voxelRayOrigin(vec2 screen) {

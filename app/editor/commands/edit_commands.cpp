@@ -4,7 +4,6 @@
 #include "app/editor/command_context.h"
 #include "app/editor/commands/tables.h"
 #include "app/editor/icons.h"
-#include "app/editor/overlays.h"
 #include "app/editor/voxel_viewport.h"
 
 namespace voxprite::editor {
@@ -43,16 +42,6 @@ std::span<const Command> editCommands() {
                         c.report(c.session.redo());
                     },
                 .enabled = [](const CommandContext& c) { return c.session.history().canRedo(); }},
-        Command{
-            .id = preferences,
-            .tag = "preferences",
-            .menu = MenuId::edit,
-            .name = "Preferences…",
-            .icon = icon::kSettings,
-            .chords = {control(GLFW_KEY_COMMA)},
-            .separator = true,
-            .run =
-                [](CommandContext& c) { c.overlays.preferences.open(Preferences::Page::general); }},
     };
     return kCommands;
 }

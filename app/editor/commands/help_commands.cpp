@@ -13,6 +13,16 @@ namespace voxprite::editor {
 std::span<const Command> helpCommands() {
     using enum CommandId;
     static constexpr std::array kCommands{
+        Command{
+            .id = preferences,
+            .tag = "preferences",
+            .menu = MenuId::edit,
+            .name = "Preferences…",
+            .icon = icon::kSettings,
+            .chords = {control(GLFW_KEY_COMMA)},
+            .separator = true,
+            .run =
+                [](CommandContext& c) { c.overlays.preferences.open(Preferences::Page::general); }},
         Command{.id = commandPalette,
                 .tag = "command_palette",
                 .menu = MenuId::help,

@@ -9,6 +9,8 @@ namespace voxprite::editor {
 
 [[nodiscard]] std::span<const Command> fileCommands();
 [[nodiscard]] std::span<const Command> editCommands();
+[[nodiscard]] std::span<const Command> clipboardCommands();
+[[nodiscard]] std::span<const Command> selectionCommands();
 [[nodiscard]] std::span<const Command> objectCommands();
 [[nodiscard]] std::span<const Command> animationCommands();
 [[nodiscard]] std::span<const Command> toolCommands();

@@ -31,6 +31,7 @@ constexpr const char* groupOf(ToolKind tool) {
         case ToolKind::ellipse:
         case ToolKind::cylinder:
             return "Shapes";
+        case ToolKind::move:
         case ToolKind::selectBox:
         case ToolKind::selectRectangle:
         case ToolKind::wand:

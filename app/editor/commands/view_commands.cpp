@@ -36,6 +36,20 @@ constexpr Command lookCommand(Command command) {
 // The eye on a diagonal of a cube.
 constexpr double kIsometricPitchDegrees = 35.264389682754654;
 
+// Around what floats, else what is selected, else the active object; entity space.
+IBox selectedBox(const Session& session) {
+    const VoxelSelection& selection = session.selection();
+    if (selection.floating()) return selection.floating()->bounds();
+    if (!selection.empty()) {
+        for (const Instance& instance : session.instances()) {
+            if (instance.node != selection.node()) continue;
+            return instance.entityFromModel.applyToBox(selection.voxels().bounds());
+        }
+    }
+    if (session.activeNode() < 0) return {};
+    return nodeBounds(session.document(), session.activeNode(), session.frame());
+}
+
 template <bool ViewSettings::*flag>
 constexpr Command switchCommand(Command command) {
     command.menu = MenuId::view;
@@ -83,6 +97,13 @@ std::span<const Command> viewCommands() {
                         c.editView.frameModel(c.session);
                         c.spriteView.frameModel(c.session);
                     }},
+        Command{.id = frameSelection,
+                .tag = "frame_selection",
+                .menu = MenuId::view,
+                .name = "Frame the selection",
+                .chords = {key(GLFW_KEY_PERIOD)},
+                .run = [](CommandContext& c) { c.editView.frameBox(selectedBox(c.session)); },
+                .enabled = [](const CommandContext& c) { return !selectedBox(c.session).empty(); }},
         lookCommand<0, 0>({.id = viewFront,
                            .tag = "view_front",
                            .name = "From the front",

@@ -94,6 +94,7 @@ std::optional<std::filesystem::path> drawMenuBar(Ui& ui) {
         const char* title;
     };
     constexpr Entry kMenus[] = {{MenuId::file, "File"},     {MenuId::edit, "Edit"},
+                                {MenuId::select, "Select"},
                                 {MenuId::object, "Object"}, {MenuId::animation, "Animation"},
                                 {MenuId::tool, "Tools"},    {MenuId::palette, "Palette"},
                                 {MenuId::view, "View"},     {MenuId::help, "Help"}};

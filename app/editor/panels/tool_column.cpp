@@ -64,7 +64,7 @@ void drawToolColumn(Ui& ui) {
     divider(ui);
     group(ui, Lit::filled, {toolBox, toolLine, toolSphere, toolEllipse, toolCylinder});
     divider(ui);
-    group(ui, Lit::filled, {toolSelectBox, toolSelectRectangle, toolWand});
+    group(ui, Lit::filled, {toolSelectBox, toolSelectRectangle, toolWand, toolMove});
     divider(ui);
     group(ui, Lit::filled, {toolAnchor, toolSocket});
     divider(ui);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/editor/icons.h"
+#include "app/editor/number_text.h"
 #include "app/editor/tools/guides.h"
 #include "app/editor/widgets.h"
 
@@ -106,11 +107,19 @@ void drawTip(Ui& ui, ToolOptions& options) {
                                           Choice{"Disc", "One layer, round, flat on the face"}};
     choose(ui, "options.tip", options.tip, kTips);
     label(ui, "Size", "Edge or diameter of the tip in voxels");
-    ImGui::SetNextItemWidth(ui.theme.px(120));
-    ImGui::SliderInt("##size", &options.tipEdge, 1, kMaxTipEdge, "%d",
-                     ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+    constexpr const char* kHint = "Tip in voxels: drag, Ctrl+click to type, or use the keys - and =";
+    ImGui::SetNextItemWidth(ui.theme.px(96));
+    ImGui::SliderInt("##slider", &options.tipEdge, 1, kMaxTipEdge, "",
+                     ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic |
+                         ImGuiSliderFlags_NoInput);
     ui.probe.markItem("options.size");
-    tooltip(ui, "Tip in voxels: drag, Ctrl+click to type, or use the keys - and =");
+    tooltip(ui, kHint);
+    ImGui::SameLine(0.0f, ui.theme.px(4));
+    ImGui::SetNextItemWidth(ui.theme.px(44));
+    ImGui::DragInt("##size", &options.tipEdge, 0.1f, 1, kMaxTipEdge, "%d",
+                   ImGuiSliderFlags_AlwaysClamp);
+    ui.probe.markItem("options.size.value");
+    tooltip(ui, kHint);
     gap(ui);
 }
 
@@ -132,6 +141,36 @@ void drawRegion(Ui& ui, ToolOptions& options) {
     if (segments(ui, "options.colour", same, kRules)) options.sameColour = same == 1;
     gap(ui);
     choose(ui, "options.neighbours", options.neighbours, kTouch);
+}
+
+void drawDepth(Ui& ui, ToolOptions& options) {
+    constexpr std::array<Choice, 2> kDepths{
+        Choice{"Through", "All voxels that lie behind the rectangle"},
+        Choice{"In sight", "Only voxels that can be seen in the rectangle"}};
+    int inSight = options.inSight ? 1 : 0;
+    if (segments(ui, "options.depth", inSight, kDepths)) options.inSight = inSight == 1;
+    gap(ui);
+}
+
+// How many voxels are selected, and what is done to them most often.
+void drawSelection(Ui& ui, bool busy) {
+    const VoxelSelection& selection = ui.session.selection();
+    using enum CommandId;
+    constexpr std::array<CommandId, 6> kArrange{turnVoxelsX, turnVoxelsY, turnVoxelsZ,
+                                                flipVoxelsX, flipVoxelsY, flipVoxelsZ};
+    if (!busy) {
+        const std::string text = selection.empty()
+                                     ? "Nothing selected"
+                                     : grouped(selection.voxels().count()) + " selected";
+        label(ui, text.c_str());
+        gap(ui, 4);
+    }
+    const bool moves = !selection.floating() || selection.floating()->kind == Floating::Kind::move;
+    if (!moves || (selection.empty() && !selection.floating())) return;
+    for (const CommandId id : kArrange) {
+        commandButton(ui, id, Lit::off, ui.theme.px(kHeight));
+        ImGui::SameLine(0.0f, ui.theme.px(2));
+    }
 }
 
 ToolAnswer drawFigures(Ui& ui, Tool& tool) {
@@ -188,6 +227,7 @@ void drawMirrorPopup(Ui& ui, ToolOptions& options) {
         ImGui::PopFont();
         for (int axis = 0; axis < 3; ++axis) {
             label(ui, kAxisNames[static_cast<std::size_t>(axis)]);
+            ImGui::SameLine(ui.theme.px(36), 0.0f);
             if (planeField(ui, axis, options.symmetry.planeDoubled[axis])) {
                 options.symmetryPlaced = true;
             }
@@ -260,6 +300,15 @@ void drawLimitsPopup(Ui& ui, ToolOptions& options) {
     ImGui::PopStyleVar();
 }
 
+void drawInside(Ui& ui, ToolOptions& options) {
+    constexpr ImU32 kColour = IM_COL32(255, 214, 102, 255);
+    if (letter(ui, "options.inside", icon::kInside, options.insideSelection, kColour,
+               "Paint and erase only what is selected. Without a selection, everywhere")) {
+        options.insideSelection = !options.insideSelection;
+    }
+    ImGui::SameLine(0.0f, ui.theme.px(3));
+}
+
 void drawLimits(Ui& ui, ToolOptions& options) {
     constexpr ImU32 kColour = IM_COL32(255, 214, 102, 255);
     if (letter(ui, "options.limit", icon::kWireframe, options.limited, kColour,
@@ -294,6 +343,9 @@ ToolAnswer drawToolOptions(Ui& ui, Tool* tool) {
         case ToolKind::cylinder:
             drawHollow(ui, options);
             break;
+        case ToolKind::selectRectangle:
+            drawDepth(ui, options);
+            break;
         case ToolKind::face:
         case ToolKind::fill:
         case ToolKind::planeFill:
@@ -304,12 +356,14 @@ ToolAnswer drawToolOptions(Ui& ui, Tool* tool) {
             break;
     }
     const ToolAnswer answer = tool != nullptr ? drawFigures(ui, *tool) : ToolAnswer::none;
+    if (ToolSettings::isForSelection(settings.tool)) drawSelection(ui, tool != nullptr && tool->busy());
     ImGui::EndGroup();
 
     const float mirrors =
-        ImGui::CalcTextSize("Mirror").x + theme.px(8 + 3 * 27 + 24 + 10 + 27 + 24);
+        ImGui::CalcTextSize("Mirror").x + theme.px(8 + 3 * 27 + 24 + 10 + 27 + 27 + 24);
     ImGui::SameLine(ImGui::GetWindowWidth() - mirrors - theme.px(12), 0.0f);
     drawMirrors(ui, options);
+    drawInside(ui, options);
     drawLimits(ui, options);
     ImGui::PopStyleVar();
     return answer;

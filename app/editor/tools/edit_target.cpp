@@ -16,9 +16,16 @@ Result<EditTarget> EditTarget::at(const Session& session, EditMode mode, const P
         if (pick.ground) return fail("There is no voxel here");
         node = session.nodeAt(pick.voxel);
     }
+    return of(session, node);
+}
+
+Result<EditTarget> EditTarget::of(const Session& session, int node) {
     if (node < 0) return fail("There is no object to edit: add one first");
-    if (session.document().nodes[static_cast<std::size_t>(node)].locked) {
-        return fail(objectName(session.document(), node) + " is locked");
+    const auto& nodes = session.document().nodes;
+    for (int up = node; up >= 0; up = nodes[static_cast<std::size_t>(up)].parent) {
+        if (nodes[static_cast<std::size_t>(up)].locked) {
+            return fail(objectName(session.document(), up) + " is locked");
+        }
     }
     for (const Instance& instance : session.instances()) {
         if (instance.node != node) continue;
@@ -55,22 +62,28 @@ Symmetry EditTarget::symmetry(const ToolOptions& options) const {
     return inModel;
 }
 
-EditLimits EditTarget::limits(const ToolOptions& options) const {
+EditLimits EditTarget::limits(const Session& session, EditMode mode,
+                              const ToolOptions& options) const {
     EditLimits limits;
     if (options.limited) limits.box = modelFromEntity_.applyToBox(options.limits);
+    const VoxelSelection& selection = session.selection();
+    if (options.insideSelection && mode != EditMode::attach && !selection.empty() &&
+        selection.model() == model_) {
+        limits.only = &selection.voxels();
+    }
     return limits;
 }
 
 VoxelPatch EditTarget::patch(const Session& session, std::span<const glm::ivec3> positions,
                              EditMode mode, const ToolSettings& settings) const {
     return patchVoxels(session.document(), model_, mirrored(positions, symmetry(settings.options)),
-                       mode, settings.colour, limits(settings.options));
+                       mode, settings.colour, limits(session, mode, settings.options));
 }
 
 Result<VoxelPatch> EditTarget::patch(const Session& session, const VoxelSet& set, EditMode mode,
                                      const ToolSettings& settings) const {
     const Symmetry images = symmetry(settings.options);
-    const EditLimits inside = limits(settings.options);
+    const EditLimits inside = limits(session, mode, settings.options);
     if (!images.any()) {
         return patchSet(session.document(), model_, set, mode, settings.colour, inside);
     }

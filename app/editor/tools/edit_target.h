@@ -20,6 +20,9 @@ class EditTarget {
     [[nodiscard]] static Result<EditTarget> at(const Session& session, EditMode mode,
                                                const Pick& pick);
 
+    // The same for a certain object.
+    [[nodiscard]] static Result<EditTarget> of(const Session& session, int node);
+
     [[nodiscard]] int node() const { return node_; }
     [[nodiscard]] int model() const { return model_; }
     [[nodiscard]] const Placement& modelFromEntity() const { return modelFromEntity_; }
@@ -32,9 +35,11 @@ class EditTarget {
     [[nodiscard]] int axisToModel(int axis) const;
     [[nodiscard]] const VoxelGrid& voxels(const Session& session) const;
 
-    // The options' symmetry and limits, in model space.
+    // The options' symmetry and limits, in model space. The selection limits what takes away and
+    // paints, if the artist wants that; there is nothing to attach in solid voxels.
     [[nodiscard]] Symmetry symmetry(const ToolOptions& options) const;
-    [[nodiscard]] EditLimits limits(const ToolOptions& options) const;
+    [[nodiscard]] EditLimits limits(const Session& session, EditMode mode,
+                                    const ToolOptions& options) const;
 
     // Patches of model-space voxels with all their mirror images, inside the limits.
     [[nodiscard]] VoxelPatch patch(const Session& session, std::span<const glm::ivec3> positions,

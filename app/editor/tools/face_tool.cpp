@@ -41,7 +41,7 @@ Result<VoxelPatch> FaceTool::patchOf(const ToolContext& context, const Face& fac
         faces.push_back({std::move(voxels), image.rotation.apply(face.normal)});
     }
     return patchFaces(context.session.document(), face.target.model(), faces, layers, std::nullopt,
-                      face.target.limits(context.settings.options));
+                      face.target.limits(context.session, mode, context.settings.options));
 }
 
 ToolResult FaceTool::update(const ToolContext& context) {

@@ -30,7 +30,7 @@ Result<VoxelSet> FillTool::region(const ToolContext& context, const EditTarget& 
     }
     // Within the artist's limits, or else within the model.
     const glm::ivec3 seed = target.toModel(pick.attachTo());
-    const IBox around = options.limited ? *target.limits(options).box
+    const IBox around = options.limited ? target.modelFromEntity().applyToBox(options.limits)
                                         : voxels.bounds().united(IBox::around(seed, seed));
     return planeRegion(voxels, seed, target.axisToModel(pick.axis()), around);
 }

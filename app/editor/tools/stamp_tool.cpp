@@ -24,8 +24,6 @@ Result<VoxelPatch> StampTool::patchOf(const ToolContext& context, const EditTarg
                                       const Pick& pick) {
     // As it looks on screen, whichever way the object was turned that it came from or goes to.
     VoxelClip clip = *context.session.clip();
-    const Placement entityFromModel = target.modelFromEntity().inverse();
-    clip.modelFromClip = entityFromModel * clip.modelFromClip;
     const IBox lies = clip.bounds();
     box_ = standOn(lies.size(), pick);
     moveBy(clip, box_.min - lies.min);
@@ -38,7 +36,7 @@ Result<VoxelPatch> StampTool::patchOf(const ToolContext& context, const EditTarg
         mirroredClip.modelFromClip = image * clip.modelFromClip;
         Result<VoxelPatch> patch =
             patchPaste(context.session.document(), target.model(), mirroredClip, PasteRule::over,
-                       target.limits(options));
+                       target.limits(context.session, EditMode::attach, options));
         if (!patch) return patch;
         mergeChanges(all.changes, patch->changes);
     }

@@ -34,6 +34,7 @@ struct ToolInput {
     double wheel = 0.0;     // notches; only while the tool wants them
     bool shift = false;
     bool control = false;
+    bool alt = false;
 };
 
 // All that the coming edit depends on, but for what a tool is already making: while it is the same,
@@ -42,7 +43,8 @@ struct Aim {
     std::optional<Pick> pick;
     EditMode mode = EditMode::attach;
     ToolSettings settings;
-    std::uint64_t revision = 0;  // of the session
+    std::uint64_t revision = 0;   // of the session
+    std::uint64_t selection = 0;  // of what is selected
     bool operator==(const Aim&) const = default;
 };
 
@@ -60,7 +62,7 @@ struct ToolContext {
         if (!input.shift || settings.mode == EditMode::paint) return settings.mode;
         return settings.mode == EditMode::attach ? EditMode::erase : EditMode::attach;
     }
-    [[nodiscard]] Aim aim() const { return {pick, mode(), settings, session.revision()}; }
+    [[nodiscard]] Aim aim() const { return {pick, mode(), settings, session.revision(), session.selection().revision()}; }
 };
 
 struct ToolResult {

@@ -6,7 +6,9 @@
 #include "app/editor/tools/face_tool.h"
 #include "app/editor/tools/fill_tool.h"
 #include "app/editor/tools/laser_tool.h"
+#include "app/editor/tools/move_tool.h"
 #include "app/editor/tools/pick_tool.h"
+#include "app/editor/tools/select_tools.h"
 #include "app/editor/tools/shape_tool.h"
 #include "app/editor/tools/socket_tool.h"
 #include "app/editor/tools/stamp_tool.h"
@@ -42,9 +44,13 @@ std::unique_ptr<Tool> makeTool(ToolKind kind) {
         case ToolKind::socket:
             return std::make_unique<SocketTool>();
         case ToolKind::selectBox:
+            return std::make_unique<SelectBoxTool>();
         case ToolKind::selectRectangle:
+            return std::make_unique<SelectRectangleTool>();
         case ToolKind::wand:
-            return nullptr;
+            return std::make_unique<WandTool>();
+        case ToolKind::move:
+            return std::make_unique<MoveTool>();
     }
     return nullptr;
 }
@@ -67,6 +73,9 @@ ToolBox::Outcome ToolBox::update(const ToolContext& context, bool picksColour) {
     const ToolInput& input = context.input;
     if (!tool_ || kind_ != context.settings.tool) take(context.settings.tool, session, outcome);
     if (!tool_) return outcome;
+    // Shift and Alt together take away from the selection.
+    const bool selects = ToolSettings::isForSelection(kind_) && input.shift;
+    picksColour = picksColour && !selects;
     if (picksColour && input.pressed && context.pick && !context.pick->ground) {
         context.settings.colour = session.octree().at(context.pick->voxel);
     }
@@ -109,6 +118,7 @@ std::optional<Action> ToolBox::confirm(Session& session) {
 
 void ToolBox::cancel(Session& session) {
     if (tool_) tool_->cancel();
+    session.selection().setFloating(std::nullopt);
     session.clearPreview();
 }
 

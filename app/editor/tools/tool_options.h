@@ -23,6 +23,10 @@ struct ToolOptions {
     // Edits reach no further than this box, entity space.
     bool limited = false;
     IBox limits;
+    // Paint and erase what is selected alone, while something is.
+    bool insideSelection = false;
+    // Selecting on screen takes what is in sight, and not what lies behind it.
+    bool inSight = false;
 
     [[nodiscard]] RegionRule region() const { return {neighbours, sameColour}; }
     bool operator==(const ToolOptions&) const = default;
