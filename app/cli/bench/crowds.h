@@ -14,8 +14,9 @@ namespace voxprite::bench {
 
 // Adds one sprite that fills the picture, 8 screen pixels a virtual pixel, seen anew in every
 // frame: `timesFaster` is the time of single_pass over that of the sprite buffer (cast, outline
-// and blit together), both without what clearing the frame takes. The pictures of both modes are
-// compared first: a difference is a failure.
+// and blit together), by the fastest frames of each and without what clearing the frame takes. The
+// pictures of both modes are compared first: a difference is a failure. With `quick` only the last
+// two models.
 [[nodiscard]] Status benchOneSprite(SceneRenderer& renderer, const std::vector<BenchModel>& models,
                                     const Effort& effort, Json& out);
 

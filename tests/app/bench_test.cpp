@@ -1,0 +1,74 @@
+// voxprite bench: what its crowds count (never how long they take).
+#include <algorithm>
+#include <set>
+#include <string>
+#include <tuple>
+
+#include "tests/app/cli_program.h"
+
+namespace voxprite::test {
+namespace {
+
+using nlohmann::json;
+
+class Bench : public CommandLine {};
+
+// 16 models, 8 turns, and sigma halved up to four times between the front row and the last.
+constexpr int kMostDistinct = 16 * 8 * 5;
+
+void checkStill(const json& figure) {
+    EXPECT_EQ(figure.at("rays"), 0) << figure;
+    EXPECT_EQ(figure.at("casts"), 0) << figure;
+    EXPECT_EQ(figure.at("castsReused"), figure.at("drawn")) << figure;
+}
+
+TEST_F(Bench, CrowdsAreOneDrawAndCastOnlyWhatIsNew) {
+    const ProgramResult result = run({"bench", "--quick", "--only", "frame", "--json"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    std::set<std::tuple<std::string, std::string, std::string>> ways;
+    int oneSprite = 0;
+    bool tenThousand = false;
+    const json report = result.json();
+    for (const json& figure : report.at("frame")) {
+        const std::string scene = figure.at("scene").get<std::string>();
+        if (scene == "one_sprite") {
+            ++oneSprite;
+            EXPECT_NEAR(figure.at("screenPxPerPx").get<double>(), 8.0, 1e-9);
+        }
+        if (scene != "crowd") continue;
+        const std::string mode = figure.at("mode").get<std::string>();
+        const std::string view = figure.at("view").get<std::string>();
+        const std::string camera = figure.at("camera").get<std::string>();
+        ways.insert({mode, view, camera});
+        if (figure.at("ms").is_null()) {
+            EXPECT_FALSE(figure.at("skipped").get<std::string>().empty());
+            continue;
+        }
+        const int entities = figure.at("entities").get<int>();
+        const int drawn = figure.at("drawn").get<int>();
+        EXPECT_LE(drawn, entities);
+        EXPECT_GE(drawn, entities * 9 / 10);
+        if (mode == "seed") {
+            EXPECT_EQ(figure.at("drawCalls"), drawn);
+            // It draws what we draw; alone, at an exact view, its rays may miss all of it.
+            if (entities > 1 && entities <= 100) {
+                EXPECT_LT(figure.at("differing").get<double>(), 0.2) << figure;
+            }
+            EXPECT_GT(figure.at("rays"), 0);
+            continue;
+        }
+        EXPECT_EQ(figure.at("drawCalls"), 1) << figure;
+        if (mode == "single_pass") continue;
+        if (camera == "still") checkStill(figure);
+        if (view == "camera_forward") {
+            EXPECT_LE(figure.at("firstCasts"), std::min(entities, kMostDistinct)) << figure;
+        }
+        tenThousand = tenThousand || entities == 10'000;
+    }
+    EXPECT_EQ(ways.size(), 2u * 2u * 2u + 2u);  // the rival knows one view
+    EXPECT_EQ(oneSprite, 4);
+    EXPECT_TRUE(tenThousand);
+}
+
+}  // namespace
+}  // namespace voxprite::test
