@@ -161,7 +161,7 @@ bool VoxelViewport::render(const Session& session, const GpuOctree& octree,
                         session.placedForEditing(), camera, look, ghost.tint);
     }
     selection_.draw(view_, canvas_.frame(), session, camera, scale_);
-    OverlayShapes shapes = guidesOf(guides, wanted.bounds, 1.0f);
+    OverlayShapes shapes = guidesOf(guides, wanted.bounds, scale_);
     if (wanted.view.boundsBox && !wanted.bounds.empty()) {
         shapes.addBox(boundsCorners(wanted.bounds), behind.ink, 1.5f);
     }

@@ -45,10 +45,14 @@ ToolResult FillTool::update(const ToolContext& context) {
             result.refusal = target.error().message;
             return result;
         }
-        const Result<VoxelSet> filled = region(context, *target, *context.pick);
+        const bool isShown =
+            shown_ && (aim_ == context.aim() || isStillOn(context.session, context.aim()));
+        const Result<VoxelSet> filled = isShown ? Result<VoxelSet>(std::move(shown_->voxels))
+                                                : region(context, *target, *context.pick);
         Result<VoxelPatch> patch =
             filled ? target->patch(context.session, *filled, mode, context.settings)
                    : Result<VoxelPatch>(Failure(filled.error()));
+        cancel();
         if (!patch) {
             result.refusal = patch.error().message;
             return result;
@@ -60,43 +64,57 @@ ToolResult FillTool::update(const ToolContext& context) {
                                                            : "Fill plane";
             result.action = makeAction(label, std::move(*patch));
         }
-        cancel();
         return result;
     }
     show(context, result);
     return result;
 }
 
+bool FillTool::isStillOn(const Session& session, const Aim& aim) const {
+    if (!shown_ || !aim_ || !aim_->pick || !aim.pick) return false;
+    Aim elsewhere = aim;
+    elsewhere.pick = aim_->pick;
+    if (elsewhere != *aim_) return false;
+    const bool fillsEmpty = kind_ == Kind::plane && aim.mode == EditMode::attach;
+    if (kind_ == Kind::plane && aim.pick->normal != aim_->pick->normal) return false;
+    if (!fillsEmpty && session.nodeAt(aim.pick->voxel) != shown_->node) return false;
+    return shown_->voxels.contains(
+        shown_->modelFromEntity.applyToVoxel(fillsEmpty ? aim.pick->attachTo() : aim.pick->voxel));
+}
+
 void FillTool::show(const ToolContext& context, ToolResult& result) {
     const Aim aim = context.aim();
     if (aim_ == aim) return;
+    const bool same = isStillOn(context.session, aim);
     aim_ = aim;
-    regionBox_ = {};
+    if (same) return;
+    shown_.reset();
     result.preview.emplace();
     if (!aim.pick) return;
     const EditMode mode = modeOf(context);
     const Result<EditTarget> target = EditTarget::at(context.session, mode, *aim.pick);
     if (!target) return;
-    const Result<VoxelSet> filled = region(context, *target, *aim.pick);
+    Result<VoxelSet> filled = region(context, *target, *aim.pick);
     if (!filled) return;
-    regionBox_ = target->modelFromEntity().inverse().applyToBox(filled->bounds());
-    if (filled->count() > kMostShown) return;
-    if (auto patch = target->patch(context.session, *filled, mode, context.settings)) {
+    shown_ = Shown{target->node(), target->modelFromEntity(), std::move(*filled), {}};
+    shown_->box = target->modelFromEntity().inverse().applyToBox(shown_->voxels.bounds());
+    if (shown_->voxels.count() > kMostShown) return;
+    if (auto patch = target->patch(context.session, shown_->voxels, mode, context.settings)) {
         result.preview->push_back(std::move(*patch));
     }
 }
 
 void FillTool::cancel() {
     aim_.reset();
-    regionBox_ = {};
+    shown_.reset();
 }
 
 void FillTool::draw(const ToolContext& context, const ViewDrawing& drawing,
                     const Theme& theme) const {
-    if (!context.pick || regionBox_.empty()) return;
+    if (!context.pick || !shown_) return;
     const EditMode mode = modeOf(context);
     markFace(drawing, theme, *context.pick, mode);
-    drawing.box(regionBox_, withAlpha(colourOf(theme, mode), 0.8f), theme.px(1.5f));
+    drawing.box(shown_->box, withAlpha(colourOf(theme, mode), 0.8f), theme.px(1.5f));
 }
 
 }  // namespace voxprite::editor

@@ -22,11 +22,21 @@ class FillTool final : public Tool {
     [[nodiscard]] EditMode modeOf(const ToolContext& context) const;
     [[nodiscard]] Result<VoxelSet> region(const ToolContext& context, const EditTarget& target,
                                           const Pick& pick) const;
+    // Is the pointer on another voxel of the region that is shown, and nothing else new?
+    [[nodiscard]] bool isStillOn(const Session& session, const Aim& aim) const;
     void show(const ToolContext& context, ToolResult& result);
+
+    // What the pointer is on, without mirror images.
+    struct Shown {
+        int node = -1;
+        Placement modelFromEntity;
+        VoxelSet voxels;  // model space
+        IBox box;         // entity space
+    };
 
     Kind kind_;
     std::optional<Aim> aim_;
-    IBox regionBox_;  // of what the pointer is on, without mirror images; entity space
+    std::optional<Shown> shown_;
 };
 
 }  // namespace voxprite::editor
