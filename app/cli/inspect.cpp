@@ -6,6 +6,7 @@
 #include "app/cli/command.h"
 #include "app/cli/source.h"
 #include "core/model/entity_voxels.h"
+#include "core/model/playback.h"
 #include "core/svo/bake.h"
 
 namespace voxprite::cli {
@@ -91,6 +92,39 @@ Json paletteJson(const Palette& palette) {
     return {{"variants", std::move(variants)}, {"ramps", palette.ramps.size()}};
 }
 
+Json clipsJson(const Document& document) {
+    Json clips = Json::array();
+    for (const Clip& clip : document.clips) {
+        double seconds = 0.0;
+        for (int frame = clip.first; frame <= clip.last; ++frame) {
+            seconds += frameSeconds(clip, frame);
+        }
+        clips.push_back({{"name", textJson(clip.name)},
+                         {"first", clip.first},
+                         {"last", clip.last},
+                         {"seconds", seconds},
+                         {"loop", clip.loop}});
+    }
+    return clips;
+}
+
+Json socketsJson(const Document& document) {
+    Json sockets = Json::array();
+    for (const Socket& socket : document.sockets) {
+        sockets.push_back(
+            {{"name", textJson(socket.name)}, {"positions", socket.positions.size()}});
+    }
+    return sockets;
+}
+
+// "  sockets:  "hand"  "muzzle"", or nothing.
+std::string namesLine(const char* what, const Json& list) {
+    if (list.empty()) return {};
+    std::string line = std::string("  ") + what + ":";
+    for (const Json& item : list) line += "  \"" + item["name"].get<std::string>() + '"';
+    return line + '\n';
+}
+
 std::string describe(const Json& json, const std::string& file) {
     std::ostringstream text;
     text << file << ": " << json["format"].get<std::string>() << ", " << json["models"].size()
@@ -118,6 +152,7 @@ std::string describe(const Json& json, const std::string& file) {
         }
         text << '\n';
     }
+    text << namesLine("clips", json["clips"]) << namesLine("sockets", json["sockets"]);
     text << warningLines(json["warnings"]);
     return text.str();
 }
@@ -138,6 +173,8 @@ Result<Report> inspect(const Options& options) {
                    {"models", std::move(models)},
                    {"instances", instancesJson(document, sources)},
                    {"palette", paletteJson(document.palette)},
+                   {"clips", clipsJson(document)},
+                   {"sockets", socketsJson(document)},
                    {"warnings", std::move(warnings)},
                    {"frames", frameCount(document)},
                    {"entity_size", sizeJson(bounds.empty() ? glm::ivec3(0) : bounds.size())}};

@@ -65,9 +65,9 @@ Document walkingKnight() {
         return std::vector{SocketKey{0, place}, SocketKey{1, place + glm::dvec3(0, 0, up)},
                            SocketKey{2, place}, SocketKey{3, place - glm::dvec3(0, 0, up)}};
     };
-    document.sockets = {Socket{"sword hand", swinging({-9.5, -3.5, 10.5}, 1.0)},
+    document.sockets = {Socket{"sword hand", swinging({-9.5, -5.0, 10.5}, 1.0)},
                         Socket{"shield", swinging({9.0, -5.0, 11.0}, -1.0)},
-                        Socket{"head", {SocketKey{0, {0.5, 0.5, 33.0}}}}};
+                        Socket{"head", {SocketKey{0, {0.5, 0.5, 38.0}}}}};
     return document;
 }
 

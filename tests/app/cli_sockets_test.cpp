@@ -163,5 +163,18 @@ TEST_F(CliSockets, AreCarriedIntoTheOctreesFileAndBack) {
     EXPECT_EQ(drawn.json()["sockets"], before);
 }
 
+TEST_F(CliSockets, AreListedWithTheClips) {
+    Document document = animationOf({solidBox({4, 4, 4}), solidBox({4, 4, 8})});
+    document.clips = {Clip{"blink", 0, 1, 8.0, false, {50, 200}}};
+    document.sockets = {Socket{"tip", {{0, {2, 2, 4}}, {1, {2, 2, 8}}}}};
+    ASSERT_TRUE(saveDocument(file("model.voxprite"), document, GameProfile{}));
+    const Json json = run({"inspect", file("model.voxprite"), "--json"}).json();
+    EXPECT_EQ(json["clips"], Json::parse(R"([{"name": "blink", "first": 0, "last": 1,
+                                              "seconds": 0.25, "loop": false}])"));
+    EXPECT_EQ(json["sockets"], Json::parse(R"([{"name": "tip", "positions": 2}])"));
+    const std::string text = run({"inspect", file("model.voxprite")}).out;
+    EXPECT_NE(text.find("clips:  \"blink\"\n  sockets:  \"tip\""), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace voxprite::test

@@ -211,9 +211,9 @@ void drawName(Ui& ui, const ListRow& row, int node, float indent, bool shared) {
     if (!shared) return;
     const float x = row.corner.x + row.width - 2 * row.height - theme.px(18);
     draw.AddText({x, row.middle(theme.fonts.text->FontSize)}, theme.textFaint, icon::kLink);
-    if (row.hovered && ImGui::GetIO().MousePos.x > x &&
-        ImGui::GetIO().MousePos.x < x + theme.px(16)) {
-        ImGui::SetTooltip("Shares its model with another object");
+    const float pointer = ImGui::GetIO().MousePos.x;
+    if (pointer > x && pointer < x + theme.px(16)) {
+        tooltip(ui, "Shares its model with another object");
     }
 }
 

@@ -147,5 +147,17 @@ TEST(FormatsCorpus, ProjectsOfRealFilesReadBackEqual) {
     EXPECT_GT(opened, 0);
 }
 
+TEST(Formats, SayWhatTheyHaveNoWordsFor) {
+    Document document = test::busyDocument();
+    EXPECT_EQ(lossesOf(document, Format::vox),
+              (std::vector<std::string>{".vox has no clips: 2 left out",
+                                        ".vox has no sockets: 2 left out"}));
+    EXPECT_TRUE(lossesOf(document, Format::voxprite).empty());
+    EXPECT_TRUE(lossesOf(document, Format::svo).empty());
+    document.clips.clear();
+    document.sockets.clear();
+    EXPECT_TRUE(lossesOf(document, Format::vox).empty());
+}
+
 }  // namespace
 }  // namespace voxprite
