@@ -107,11 +107,12 @@ void drawTip(Ui& ui, ToolOptions& options) {
                                           Choice{"Disc", "One layer, round, flat on the face"}};
     choose(ui, "options.tip", options.tip, kTips);
     label(ui, "Size", "Edge or diameter of the tip in voxels");
-    constexpr const char* kHint = "Tip in voxels: drag, Ctrl+click to type, or use the keys - and =";
+    constexpr const char* kHint =
+        "Tip in voxels: drag, Ctrl+click to type, or use the keys - and =";
     ImGui::SetNextItemWidth(ui.theme.px(96));
-    ImGui::SliderInt("##slider", &options.tipEdge, 1, kMaxTipEdge, "",
-                     ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic |
-                         ImGuiSliderFlags_NoInput);
+    ImGui::SliderInt(
+        "##slider", &options.tipEdge, 1, kMaxTipEdge, "",
+        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput);
     ui.probe.markItem("options.size");
     tooltip(ui, kHint);
     ImGui::SameLine(0.0f, ui.theme.px(4));
@@ -356,7 +357,8 @@ ToolAnswer drawToolOptions(Ui& ui, Tool* tool) {
             break;
     }
     const ToolAnswer answer = tool != nullptr ? drawFigures(ui, *tool) : ToolAnswer::none;
-    if (ToolSettings::isForSelection(settings.tool)) drawSelection(ui, tool != nullptr && tool->busy());
+    if (ToolSettings::isForSelection(settings.tool))
+        drawSelection(ui, tool != nullptr && tool->busy());
     ImGui::EndGroup();
 
     const float mirrors =

@@ -62,7 +62,9 @@ struct ToolContext {
         if (!input.shift || settings.mode == EditMode::paint) return settings.mode;
         return settings.mode == EditMode::attach ? EditMode::erase : EditMode::attach;
     }
-    [[nodiscard]] Aim aim() const { return {pick, mode(), settings, session.revision(), session.selection().revision()}; }
+    [[nodiscard]] Aim aim() const {
+        return {pick, mode(), settings, session.revision(), session.selection().revision()};
+    }
 };
 
 struct ToolResult {
