@@ -179,8 +179,20 @@ TEST_F(ToolsInAWindow, EveryToolDoesWhatWasComputedAndIsUndone) {
     expected = start;
     ASSERT_NO_FATAL_FAILURE(expectSaved("the start"));
 
-    // --- shapes
+    // --- stamp: the whole block on top of itself
     key("t");
+    key("ctrl+a");
+    key("ctrl+c");
+    key("x");
+    clickVoxel(6, 5);
+    put(5, [](int x, int y, int z) {
+        return x >= 0 && x < 13 && y >= 0 && y < 11 && z > kTop && z <= kTop + 8;
+    });
+    ASSERT_NO_FATAL_FAILURE(expectMade("stamp"));
+    undoStep();
+    expected = start;
+
+    // --- shapes
     key("u");
     dragVoxels({2, 3}, {5, 7});
     typeFigure(2, "3");
