@@ -2,6 +2,7 @@
 // test computes by itself.
 #include <cmath>
 
+#include "core/edit/scene_edits.h"
 #include "core/edit/selection.h"
 #include "tests/app/tool_hand.h"
 
@@ -216,6 +217,17 @@ TEST_F(ToolsOnABlock, UndoneByEscapeAndTooLargeIsRefused) {
     EXPECT_NE(refusal, "");
     EXPECT_EQ(shown(), start);
     tools.cancel(session);
+    EXPECT_EQ(made(), start);
+}
+
+TEST_F(ToolsOnABlock, AShapeGoesWithTheModelThatItWasMadeFor) {
+    ASSERT_TRUE(session.perform(addObject(session.document(), "new")));
+    session.setActiveNode(2);
+    dragShape(ToolKind::box, {2, 3, -1}, {5, 4, -1});
+    EXPECT_NE(shown(), start);
+    ASSERT_TRUE(session.undo());  // there is no such model any more
+    moveTo({5, 5});
+    EXPECT_FALSE(tools.busy());
     EXPECT_EQ(made(), start);
 }
 

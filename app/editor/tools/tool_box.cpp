@@ -1,6 +1,7 @@
 #include "app/editor/tools/tool_box.h"
 
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "app/editor/tools/brush_tool.h"
 #include "app/editor/tools/face_tool.h"
@@ -71,6 +72,8 @@ ToolBox::Outcome ToolBox::update(const ToolContext& context, bool picksColour) {
     Outcome outcome;
     Session& session = context.session;
     const ToolInput& input = context.input;
+    const std::size_t models = session.document().models.size();
+    if (std::exchange(models_, models) > models) cancel(session);
     if (!tool_ || kind_ != context.settings.tool) take(context.settings.tool, session, outcome);
     if (!tool_) return outcome;
     // Shift and Alt together take away from the selection.

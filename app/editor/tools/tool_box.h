@@ -33,6 +33,8 @@ class ToolBox {
 
     std::unique_ptr<Tool> tool_;
     ToolKind kind_ = ToolKind::brush;
+    // Models go when adding them is undone, and with them what a tool was making of them.
+    std::size_t models_ = 0;
     // Where the pointer was when something was done: until it moves on, the result is shown and not
     // what the next click would do on top of it.
     std::optional<glm::dvec2> restsPx_;
