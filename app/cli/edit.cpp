@@ -35,6 +35,8 @@ void addEdit(CLI::App& app, Command& command) {
         ->check(CLI::Range(1, 100000));
     addPath("--play", options->playScript, "SCRIPT", "Replay recorded input (JSON lines)");
     addPath("--record", options->record, "SCRIPT", "Record the input of this session");
+    addPath("--recovery", options->recovery, "FOLDER",
+            "Where unsaved work is copied to, and what a crash left is looked for");
     addPath("--dump-layout", options->layoutDump, "FILE",
             "Write where widgets lie on screen, for tests");
     addParsed(sub, "--window", "WxH", "The window's size at content scale 1", sizeFrom,

@@ -13,6 +13,7 @@
 #include "app/editor/panels/tool_options.h"
 #include "app/editor/widgets.h"
 #include "app/editor/window.h"
+#include "core/io/profile_json.h"
 
 namespace voxprite::editor {
 
@@ -50,6 +51,7 @@ void App::frame(const Theme& theme, const std::vector<InputEvent>& events) {
     if (!events.empty()) editStart_ = events.front().seconds;
     const auto passed = static_cast<double>(ImGui::GetIO().DeltaTime);
     context_.report(playback_.advance(session_, settings_.view, passed));
+    session_.limitHistory(static_cast<std::size_t>(settings_.window.historyMegabytes) << 20);
     objects_.follow(session_);
     figures_.strokeSize.clear();
     Ui ui{theme, session_, settings_, edits_, commands_, context_, probe_, figures_, path};
@@ -64,14 +66,15 @@ void App::frame(const Theme& theme, const std::vector<InputEvent>& events) {
     if (files_.takeReplaced()) startOver();
     lockCameras();
     renderViews();
+    keepCopy();
     dumpLayout();
 }
 
 void App::buildUi(Ui& ui) {
     const Theme& theme = ui.theme;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const Layout layout = layoutFor(theme, window, settings_.window,
-                                    timelineHeight(theme, session_, settings_));
+    const Layout layout =
+        layoutFor(theme, window, settings_.window, timelineHeight(theme, session_, settings_));
 
     std::string refusal;
     voxels_.show(ui, layout.edit.min, layout.edit.size, refusal);
@@ -142,6 +145,7 @@ void App::drawDock(Ui& ui) {
 }
 
 void App::drawOverlays(Ui& ui, const Layout& layout) {
+    if (const auto work = recovery_.draw(ui)) recover(*work);
     overlays_.palette.draw(ui);
     overlays_.preferences.draw(ui);
     overlays_.tour.draw(ui, layout);
@@ -153,6 +157,35 @@ void App::drawOverlays(Ui& ui, const Layout& layout) {
 
 void App::keepToolsWork() {
     if (auto action = voxels_.tools().confirm(session_)) context_.perform(std::move(*action));
+}
+
+Status App::keepCopiesIn(const std::filesystem::path& recovery) {
+    recovery_.offer(findLostWork(recovery));
+    Result<RecoveryFolder> folder = RecoveryFolder::create(recovery);
+    if (!folder) return Failure(folder.error());
+    autosave_ = std::make_unique<Autosave>(std::move(*folder));
+    return {};
+}
+
+void App::recover(const LostWork& work) {
+    const Result<GameProfile> profile = readProfileFile(work.profile);
+    const Status recovered =
+        profile ? session_.recover(work.document, *profile, work.file) : Failure(profile.error());
+    if (!recovered) return dialogs_.showError(recovered.error().describe());
+    startOver();
+    // The copy goes only when this editor has one of its own.
+    const Status copied = autosave_->copyNow(session_);
+    if (!copied) return context_.report(copied);
+    discard(work);
+    toasts_.info("Recovered " + work.title + ": save it to keep it");
+}
+
+void App::keepCopy() {
+    if (!autosave_) return;
+    autosave_->update(session_, Window::seconds());
+    if (const auto problem = autosave_->takeProblem()) {
+        toasts_.error("No copy of the unsaved work can be kept: " + problem->describe());
+    }
 }
 
 void App::startOver() {
@@ -215,6 +248,7 @@ void App::lockCameras() {
 }
 
 std::string App::openDialog() const {
+    if (recovery_.isOpen()) return "recovery";
     if (files_.isBrowsing()) return "browser";
     const std::string dialog = dialogs_.openName();
     return dialog.empty() ? overlays_.openName() : dialog;

@@ -14,6 +14,8 @@
 #include "app/editor/overlays.h"
 #include "app/editor/panels/palette_panel.h"
 #include "app/editor/playback.h"
+#include "app/editor/recovery/autosave.h"
+#include "app/editor/recovery/recovery_dialog.h"
 #include "app/editor/sprite_viewport.h"
 #include "app/editor/toasts.h"
 #include "app/editor/voxel_viewport.h"
@@ -47,6 +49,13 @@ class App {
     void noteFrame(double milliseconds) {
         longestFrameMilliseconds_ = std::max(longestFrameMilliseconds_, milliseconds);
     }
+    // From now on unsaved work is copied into this folder, in the background; what an editor that
+    // crashed has left there is offered.
+    [[nodiscard]] Status keepCopiesIn(const std::filesystem::path& recovery);
+    // The end of an orderly run: no copy is left.
+    void dropCopies() {
+        if (autosave_) autosave_->finish();
+    }
     void say(std::string text) { toasts_.info(std::move(text)); }
 
     [[nodiscard]] bool quits() const { return files_.quits(); }
@@ -75,6 +84,8 @@ class App {
 
     // What a tool is still making becomes part of the document.
     void keepToolsWork();
+    void recover(const LostWork& work);
+    void keepCopy();
     // Another document is open: nothing of the last one's is remembered.
     void startOver();
 
@@ -97,6 +108,8 @@ class App {
     CommandContext context_{session_, settings_, voxels_,  sprite_,   files_,        dialogs_,
                             toasts_,  overlays_, objects_, playback_, paletteEditor_};
     FileFlow files_{context_};
+    RecoveryDialog recovery_;
+    std::unique_ptr<Autosave> autosave_;
     bool framed_ = false;  // the cameras have been placed for this document
     glm::dvec2 pointer_{0.0};
     // When the input that this frame answers arrived.

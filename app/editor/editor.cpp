@@ -193,9 +193,17 @@ Status runEditor(const EditorOptions& options) {
         (*app)->say("One document at a time: " + options.files.front().filename().string() +
                     " is open");
     }
+    std::optional<std::filesystem::path> recovery = options.recovery;
+    if (!recovery && !automatic) recovery = recoveryPath();
+    if (recovery) {
+        if (Status kept = (*app)->keepCopiesIn(*recovery); !kept) {
+            (*app)->say("No copies of unsaved work are kept: " + kept.error().describe());
+        }
+    }
     Editor editor(options, *window, *host, **app);
     if (Status started = editor.startReplay(); !started) return started;
     if (Status ran = editor.run(); !ran) return ran;
+    if ((*app)->quits()) (*app)->dropCopies();
     if (automatic || (*app)->settings() == settings) return {};
     return saveSettings(settingsPath(), (*app)->settings());
 }

@@ -1,39 +1,14 @@
 #include "app/editor/variant_pictures.h"
 
-#include <algorithm>
-
-#include "core/sprite/camera.h"
+#include "app/editor/small_sprite.h"
 
 namespace voxprite::editor {
-namespace {
-
-constexpr OrbitAngles kAngles{30.0, 20.0, 0.0};
-constexpr double kLeastSigma = 1.0 / 64.0;
-
-}  // namespace
 
 std::optional<SpriteBuffer> smallSprite(const Session& session, const Palette& palette,
                                         int edgePx) {
-    if (session.bounds().empty()) return std::nullopt;
-    GameProfile profile = session.profile();
-    profile.view = ViewRule::cameraForward;
-    profile.minification = false;
-    profile.viewStepDegrees = 0.0;
-    const OctreeView octree = session.octree().view(session.bounds());
-    for (; profile.sigma >= kLeastSigma; profile.sigma /= 2.0) {
-        const PlacedEntity placed =
-            placeEntity(session.document().entity, session.bounds(), profile);
-        const double away = 4.0 * placed.radiusMetres();
-        const Camera camera =
-            orbitCamera(kAngles, placed.centreMetres(), away, 45.0, {edgePx, edgePx});
-        const Result<SpriteViewResult> seen = viewSprite(placed, camera, profile);
-        if (!seen || !seen->view) continue;
-        const SpriteView& view = *seen->view;
-        if (std::max(view.lattice.size.x, view.lattice.size.y) > edgePx) continue;
-        return castSprite(octree, view.lattice,
-                          litPalette(palette, view.light8, profile.outline, profile.shading));
-    }
-    return std::nullopt;
+    return smallSprite({session.octree().view(session.bounds()), session.bounds(),
+                        session.document().entity, session.profile(), palette},
+                       edgePx);
 }
 
 void VariantPictures::update(const Session& session) {

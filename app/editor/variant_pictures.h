@@ -11,8 +11,7 @@
 
 namespace voxprite::editor {
 
-// The sprite that fits a square of `edgePx`, from a little above and to the side: sigma is the
-// profile's, or halved until it fits. Nothing for an empty model.
+// The small sprite (small_sprite.h) of the document in these colours.
 [[nodiscard]] std::optional<SpriteBuffer> smallSprite(const Session& session,
                                                       const Palette& palette, int edgePx);
 

@@ -1,4 +1,5 @@
 // The steps that can be undone and redone, newest at the bottom; a click goes there.
+#include "app/editor/number_text.h"
 #include "app/editor/panels/panels.h"
 #include "app/editor/widgets.h"
 
@@ -12,6 +13,16 @@ void drawHistory(Ui& ui) {
         for (std::size_t at = position; at > wanted; --at) ui.commands.ask(CommandId::undo);
         for (std::size_t at = position; at < wanted; ++at) ui.commands.ask(CommandId::redo);
     };
+    const std::string held =
+        byteText(history.bytes()) + " held, of at most " + byteText(history.memoryLimitBytes());
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.textDim);
+    ImGui::PushFont(ui.theme.fonts.small);
+    ImGui::TextUnformatted(held.c_str());
+    ImGui::PopFont();
+    ImGui::PopStyleColor();
+    tooltip(ui,
+            "What undo and redo hold in memory. The oldest steps go first; the limit is in the "
+            "preferences.");
     ImGui::BeginChild("steps");
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ui.theme.px(0, 4));
     if (ImGui::Selectable("  As opened", position == 0)) goTo(0);
