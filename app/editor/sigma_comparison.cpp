@@ -13,15 +13,15 @@ constexpr double kMostSigma = 64.0;
 
 void SigmaComparison::open(int count, double profileSigma) {
     cells = count;
-    // From coarse to fine.
-    constexpr std::array kTwo{1.0, 2.0};
-    constexpr std::array kFour{0.5, 1.0, 1.5, 2.0};
+    // From coarse to fine; what is finer than the game's sigma would be minified in a small cell.
+    constexpr std::array kTwo{0.5, 1.0};
+    constexpr std::array kFour{0.25, 0.5, 0.75, 1.0};
     const bool four = count == 4;
     for (std::size_t i = 0; i < sigmas.size(); ++i) {
         const double factor = four ? kFour[i] : kTwo[i % kTwo.size()];
         sigmas[i] = std::clamp(profileSigma * factor, kLeastSigma, kMostSigma);
     }
-    inForce = four ? 1 : 0;
+    inForce = four ? 3 : 1;
     sigmas[static_cast<std::size_t>(inForce)] = profileSigma;
 }
 

@@ -10,7 +10,7 @@ namespace voxprite::editor {
 
 struct SigmaComparison {
     int cells = 0;  // 0 (off), 2 or 4
-    std::array<double, 4> sigmas{4.0, 8.0, 2.0, 6.0};
+    std::array<double, 4> sigmas{1.0, 2.0, 3.0, 4.0};
     int inForce = 0;  // the cell of the profile's sigma
 
     bool operator==(const SigmaComparison&) const = default;

@@ -80,7 +80,7 @@ std::vector<const GpuOctree*> SpriteScene::extraFrames() const {
 }
 
 Scene SpriteScene::make(const Session& session, const GpuOctree& edited, const ViewSettings& view,
-                        const GameProfile& profile, std::span<ViewHistory> histories) const {
+                        const GameProfile& profile, std::span<ViewHistory> histories) {
     const Document& document = session.document();
     Scene scene;
     scene.background = Rgba8(120, 150, 190, 255);
@@ -93,28 +93,36 @@ Scene SpriteScene::make(const Session& session, const GpuOctree& edited, const V
         const GpuOctree* octree;
         const Palette* palette;
         PlacedEntity placed;
+        PlacedEntity shadow;
     };
-    // Where the edited one is placed follows what is shown of it, and the profile asked for.
-    PlacedEntity shown = session.placedInGame();
-    shown.anchorMetres.y +=
-        groundClearanceMetres(profile) - groundClearanceMetres(session.profile());
-    std::vector<Subject> subjects{{&edited, &session.shownPalette(), shown}};
+    // Shadows do not follow an edit that is only being shown.
+    const double raised = groundClearanceMetres(profile) - groundClearanceMetres(session.profile());
+    Subject own{&edited, &session.shownPalette(), session.placedInGame(), session.madeInGame()};
+    own.placed.anchorMetres.y += raised;
+    own.shadow.anchorMetres.y += raised;
+    std::vector<Subject> subjects{own};
     for (const ExtraModel* extra : subjects_) {
         if (extra == nullptr) continue;
         Entity entity = extra->entity;
         entity.yawDegrees = document.entity.yawDegrees;
         entity.positionMetres = document.entity.positionMetres;
-        subjects.push_back({&extra->at(seconds_), &extra->palette,
-                            placedOnGround(entity, extra->bounds, profile)});
+        const PlacedEntity placed = placedOnGround(entity, extra->bounds, profile);
+        subjects.push_back({&extra->at(seconds_), &extra->palette, placed, placed});
     }
+    shadows_.resize(entityCount());
     scene.entities.reserve(entityCount());
-    scene.entities.push_back({&edited, &session.shownPalette(), shown, &histories.front()});
-    for (std::size_t i = 0; i < formation_.copies.size(); ++i) {
-        const Copy copy = walked(formation_.copies[i], formation_, walkedMetres_);
-        const Subject& subject = subjects[static_cast<std::size_t>(copy.subject)];
+    const auto add = [&](const Subject& subject, const Copy& copy) {
+        const std::size_t number = scene.entities.size();
+        const double facing = document.entity.yawDegrees;
+        shadows_[number] = standing(subject.shadow, copy, facing);
         scene.entities.push_back({subject.octree, subject.palette,
-                                  standing(subject.placed, copy, document.entity.yawDegrees),
-                                  &histories[i + 1]});
+                                  standing(subject.placed, copy, facing), &histories[number],
+                                  &shadows_[number]});
+    };
+    add(own, Copy{});
+    for (const Copy& copy : formation_.copies) {
+        add(subjects[static_cast<std::size_t>(copy.subject)],
+            walked(copy, formation_, walkedMetres_));
     }
     return scene;
 }

@@ -29,10 +29,11 @@ class SpriteScene {
     [[nodiscard]] double radiusMetres() const { return formation_.radiusMetres; }
 
     // The entities, the edited one first, as `profile` places them; `histories`, one each, outlive
-    // the scene. `edited` holds the octree that the session shows.
+    // the scene, which is good until the next one is made. `edited` holds the octree that the
+    // session shows.
     [[nodiscard]] Scene make(const Session& session, const GpuOctree& edited,
                              const ViewSettings& view, const GameProfile& profile,
-                             std::span<ViewHistory> histories) const;
+                             std::span<ViewHistory> histories);
 
   private:
     [[nodiscard]] bool walks(const SceneSettings& settings) const {
@@ -46,6 +47,7 @@ class SpriteScene {
     Formation formation_;
     CopySettings arrangedFor_;
     std::vector<CopySubject> arrangedSubjects_;
+    std::vector<PlacedEntity> shadows_;  // of the scene made last
     double walkedMetres_ = 0.0;
     double seconds_ = 0.0;
     std::uint64_t revision_ = 0;

@@ -16,8 +16,16 @@ namespace {
 // What an empty document shows of the scene, in voxels.
 constexpr glm::ivec3 kEmptyShown(24, 24, 12);
 
+// A picture that took longer than this is not drawn again at once.
+constexpr double kSlowMs = 60.0;
+
+double milliseconds(std::chrono::steady_clock::duration duration) {
+    return std::chrono::duration<double, std::milli>(duration).count();
+}
+
 GizmoTarget gizmoTarget(const Session& session, GizmoKind kind, double sigmaInForce) {
-    const PlacedEntity placed = session.placedInGame();
+    // Of the document: an edit that is only being shown moves no handle.
+    const PlacedEntity placed = session.madeInGame();
     return {kind, session.document().entity, placed,
             sigmaInForce > 0.0 ? sigmaInForce : session.profile().sigma, placed.metresPerVoxel()};
 }
@@ -132,7 +140,7 @@ void SpriteViewport::showAlone(Ui& ui, ViewInput& input) {
 
     const Camera camera = camera_.camera(input.sizePx);
     if (ui.settings.view.anchorMarker) drawAnchor(ui, camera, ui.session.placedInGame());
-    if (!ui.session.shownBounds().empty()) {
+    if (!ui.session.bounds().empty()) {
         const GizmoTarget target =
             gizmoTarget(ui.session, ui.settings.tool.gizmo, stats().sigmaInForce);
         gizmo_.draw(target, camera, ViewDrawing(canvas_, camera), ui.theme);
@@ -193,7 +201,8 @@ Result<Image> SpriteViewport::picture(const Session& session, const SceneSetting
 }
 
 bool SpriteViewport::animates(const EditorSettings& settings) const {
-    return settings.scene.everyFrame || (settings.view.playing && scene_.moves(settings.scene));
+    return postponed_ || settings.scene.everyFrame ||
+           (settings.view.playing && scene_.moves(settings.scene));
 }
 
 void SpriteViewport::prepareCells() {
@@ -214,7 +223,7 @@ Status SpriteViewport::renderCell(SpriteCell& cell, Frame& frame, const Session&
     const Result<SceneStats> stats = renderer_.draw(frame, scene, camera, profile, profile.mode);
     if (!stats) return Failure(stats.error());
     cell.stats = *stats;
-    if (settings.view.proxyBox && !session.shownBounds().empty()) {
+    if (settings.view.proxyBox && !session.bounds().empty()) {
         const GizmoTarget target =
             gizmoTarget(session, settings.tool.gizmo, cell.stats.sigmaInForce);
         const auto corners = proxyCorners(target.placed, target.sigmaInForce);
@@ -231,12 +240,18 @@ Result<bool> SpriteViewport::render(const Session& session, const GpuOctree& oct
     const SigmaComparison& comparison = settings.scene.comparison;
     const Shown wanted{octree.revision(), session.revision(), scene_.revision(), camera_,
                        canvas_.sizePx(),  areas_.size(),      settings.view,     comparison};
+    postponed_ = false;
     if (shown_ == wanted && !settings.scene.everyFrame) return false;
+    const auto start = std::chrono::steady_clock::now();
+    // A crowd that takes long to draw must not hold up the hand that moves over the edit view: half
+    // of the time is left to it.
+    postponed_ = session.previews() && figures_.cpuMs > kSlowMs &&
+                 milliseconds(start - drawnAt_) < figures_.cpuMs;
+    if (postponed_) return false;
     prepareCells();
     Status done;
     SceneStats sum;
     timer_.begin();
-    const auto start = std::chrono::steady_clock::now();
     for (std::size_t i = 0; i < cells_.size(); ++i) {
         SpriteCell& cell = cells_[i];
         GameProfile profile = session.profile();
@@ -253,7 +268,7 @@ Result<bool> SpriteViewport::render(const Session& session, const GpuOctree& oct
         }
         add(sum, cell.stats);
     }
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    drawnAt_ = std::chrono::steady_clock::now();
     timer_.end();
     shown_ = wanted;
     if (!done) return Failure(done.error());
@@ -262,9 +277,9 @@ Result<bool> SpriteViewport::render(const Session& session, const GpuOctree& oct
     sum.screenPxPerPx = inForce.screenPxPerPx;
     figures_.entities = scene_.entityCount();
     figures_.stats = sum;
-    figures_.cpuMs = took.count();
+    figures_.cpuMs = milliseconds(drawnAt_ - start);
     figures_.gpuMs = timer_.readyMs();
-    figures_.cpuTimes.push(static_cast<float>(took.count()));
+    figures_.cpuTimes.push(static_cast<float>(figures_.cpuMs));
     return true;
 }
 

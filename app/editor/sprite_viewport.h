@@ -2,6 +2,7 @@
 // proxy box; alone or among copies, at one sigma or at several side by side.
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -88,6 +89,8 @@ class SpriteViewport {
     std::vector<SpriteCell> cells_;
     gl::TimerQuery timer_;
     SceneFigures figures_;
+    std::chrono::steady_clock::time_point drawnAt_;
+    bool postponed_ = false;
     Gizmo gizmo_;
     std::uint64_t gizmoKey_ = 0;
     ImageClipboard clipboard_;

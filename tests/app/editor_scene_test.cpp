@@ -202,14 +202,14 @@ TEST(SigmaComparison, UsingAValueAndTakingItBackMovesTheMark) {
     SigmaComparison comparison;
     comparison.open(4, 4.0);
     const SigmaComparison start = comparison;
-    comparison.follow(comparison.sigmas[3]);  // "use this"
-    EXPECT_EQ(comparison.inForce, 3);
+    comparison.follow(comparison.sigmas[1]);  // "use this"
+    EXPECT_EQ(comparison.inForce, 1);
     EXPECT_EQ(comparison.sigmas, start.sigmas);
     comparison.follow(4.0);  // undone
     EXPECT_EQ(comparison, start);
     comparison.follow(5.5);  // set elsewhere: the cell in force shows it, the others stay
     EXPECT_EQ(comparison.inForce, start.inForce);
-    EXPECT_EQ(comparison.sigmas, (std::array{2.0, 5.5, 6.0, 8.0}));
+    EXPECT_EQ(comparison.sigmas, (std::array{1.0, 2.0, 3.0, 5.5}));
 }
 
 TEST(SigmaComparison, CellsTileTheView) {

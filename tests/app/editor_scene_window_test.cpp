@@ -60,17 +60,17 @@ TEST_F(EditorScene, ASigmaBesideOthersBecomesTheGames) {
     ASSERT_NO_FATAL_FAILURE(openFigure());
     EXPECT_EQ(state().at("sigma"), 4.0);
     click(centreOf("command.compare_four"));
-    const glm::ivec2 use = centreOf("compare.3.use");
+    const glm::ivec2 use = centreOf("compare.1.use");
     EXPECT_EQ(state().at("sigma"), 4.0);
     click(use);
-    await("sigma 8", [](const Json& now) { return now.at("state").at("sigma") == 8.0; });
+    await("sigma 2", [](const Json& now) { return now.at("state").at("sigma") == 2.0; });
     // The button went to the cell that was in force, and comes back with the undo.
-    static_cast<void>(centreOf("compare.1.use"));
+    static_cast<void>(centreOf("compare.3.use"));
     key("ctrl+z");
     await("sigma 4", [](const Json& now) { return now.at("state").at("sigma") == 4.0; });
-    static_cast<void>(centreOf("compare.3.use"));
+    static_cast<void>(centreOf("compare.1.use"));
     // In place: the cell in force is the profile's own.
-    const glm::ivec2 number = centreOf("compare.1.sigma");
+    const glm::ivec2 number = centreOf("compare.3.sigma");
     keyDown("ctrl");  // with it, a click types
     click(number);
     keyUp("ctrl");
