@@ -81,7 +81,7 @@ void drawFigures(Ui& ui, const ViewCanvas& canvas) {
     const ImVec2 at(corner.x + theme.px(10), corner.y - size.y - theme.px(18));
     ImDrawList& draw = canvas.overlay();
     draw.AddRectFilled(at, {at.x + size.x + theme.px(16), at.y + size.y + theme.px(8)},
-                       IM_COL32(16, 17, 19, 170), theme.px(6));
+                       IM_COL32(16, 17, 19, 205), theme.px(6));
     draw.AddText(small, small->FontSize, {at.x + theme.px(8), at.y + theme.px(4)},
                  IM_COL32(225, 227, 231, 255), text.c_str(), nullptr, room);
 }

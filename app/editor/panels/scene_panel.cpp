@@ -188,7 +188,7 @@ void figure(Ui& ui, int column, const char* name, const char* label, const std::
     ImGui::TextUnformatted(label);
     ImGui::PopStyleColor();
     tooltip(ui, hint);
-    ImGui::SameLine(x + ui.theme.px(72), 0.0f);
+    ImGui::SameLine(x + ui.theme.px(78), 0.0f);
     ImGui::TextUnformatted(value.c_str());
     ui.probe.markItem(name);
     tooltip(ui, hint);
