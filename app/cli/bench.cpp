@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "app/cli/bench/tables.h"
 #include "app/cli/command.h"
 #include "render/gl/context.h"
 
@@ -17,6 +18,7 @@ constexpr std::array<const char*, 6> kParts{"cast", "bake", "update", "frame", "
 struct Options {
     std::vector<std::string> only;
     bool quick = false;
+    bool markdown = false;
     std::optional<std::string> corpus;
 };
 
@@ -78,7 +80,8 @@ Result<Report> runBench(const Options& options) {
         if (!figures) return Failure(figures.error());
         report.json[kParts[k]] = std::move(*figures);
     }
-    report.text = describe(report.json);
+    const bool tables = options.markdown && report.json.contains("frame");
+    report.text = tables ? bench::frameTables(report.json["frame"]) : describe(report.json);
     return report;
 }
 
@@ -96,6 +99,7 @@ void addBench(CLI::App& app, Command& command) {
     sub.add_option("--corpus", options->corpus,
                    "A folder of real models beside the samples (else VOXPRITE_CORPUS)")
         ->type_name("DIR");
+    sub.add_flag("--markdown", options->markdown, "The frames as tables in Markdown");
     addJsonFlag(sub, command);
     runs(sub, command, options, runBench);
 }

@@ -1,0 +1,104 @@
+#include "app/cli/bench/tables.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <tuple>
+
+#include "app/cli/text_table.h"
+
+namespace voxprite::bench {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+// 1234567 -> "1,234,567".
+std::string grouped(std::uint64_t number) {
+    std::string text = std::to_string(number);
+    for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, ",");
+    return text;
+}
+
+// Three digits.
+std::string ms(const Json& figure) {
+    if (figure["ms"].is_null()) return "not run";
+    std::array<char, 32> text{};
+    const double value = figure["ms"].get<double>();
+    std::snprintf(text.data(), text.size(),
+                  value < 10.0    ? "%.2f"
+                  : value < 100.0 ? "%.1f"
+                                  : "%.0f",
+                  value);
+    return text.data();
+}
+
+std::string raysOf(const Json& figure) {
+    return figure["ms"].is_null() ? "" : grouped(figure["rays"].get<std::uint64_t>());
+}
+
+std::string oneSpriteTable(const Json& figures) {
+    Rows rows{{"model", "sigma", "`single_pass`, ms", "rays", "`sprite_buffer`, ms", "rays",
+               "times faster"}};
+    for (const Json& figure : figures) {
+        if (figure["scene"] != "one_sprite") continue;
+        if (figure["mode"] == "single_pass") {
+            rows.push_back({figure["model"].get<std::string>(),
+                            cli::textOf(figure["sigma"].get<double>()), ms(figure),
+                            raysOf(figure)});
+            continue;
+        }
+        rows.back().insert(rows.back().end(),
+                           {ms(figure), raysOf(figure),
+                            std::to_string(std::lround(figure["timesFaster"].get<double>()))});
+    }
+    return cli::textOf(rows, cli::TableStyle::markdown);
+}
+
+// View, camera and number of entities make a row.
+using Row = std::tuple<std::string, std::string, int>;
+
+std::string crowdTable(const Json& figures) {
+    std::vector<std::string> columns;
+    std::vector<Row> order;
+    std::map<std::pair<Row, std::string>, const Json*> cells;
+    for (const Json& figure : figures) {
+        if (figure["scene"] != "crowd") continue;
+        const double step = figure["viewStep"].get<double>();
+        const std::string column =
+            "`" + figure["mode"].get<std::string>() + "`" +
+            (step > 0.0 ? " with view step " + cli::textOf(step) : std::string());
+        const Row row{figure["view"].get<std::string>(), figure["camera"].get<std::string>(),
+                      figure["entities"].get<int>()};
+        if (std::ranges::find(columns, column) == columns.end()) columns.push_back(column);
+        if (std::ranges::find(order, row) == order.end()) order.push_back(row);
+        cells[{row, column}] = &figure;
+    }
+    std::ranges::sort(order);
+    std::ranges::sort(columns);
+    std::reverse(columns.begin(), columns.end());
+    Rows rows{{"view", "camera", "entities"}};
+    for (const std::string& column : columns) {
+        rows[0].push_back(column + ", ms");
+        rows[0].emplace_back("rays");
+    }
+    for (const Row& row : order) {
+        rows.push_back({std::get<0>(row), std::get<1>(row),
+                        grouped(static_cast<std::uint64_t>(std::get<2>(row)))});
+        for (const std::string& column : columns) {
+            const auto cell = cells.find({row, column});
+            rows.back().push_back(cell == cells.end() ? "" : ms(*cell->second));
+            rows.back().push_back(cell == cells.end() ? "" : raysOf(*cell->second));
+        }
+    }
+    return cli::textOf(rows, cli::TableStyle::markdown);
+}
+
+}  // namespace
+
+std::string frameTables(const Json& figures) {
+    return oneSpriteTable(figures) + "\n" + crowdTable(figures);
+}
+
+}  // namespace voxprite::bench

@@ -1,0 +1,14 @@
+// The figures of frames as tables for a page.
+#pragma once
+
+#include <string>
+
+#include "app/cli/bench/bench.h"
+
+namespace voxprite::bench {
+
+// Markdown of what benchFrame has measured: one sprite by both modes; crowds, a row for each number
+// of entities, a column for each way of drawing.
+[[nodiscard]] std::string frameTables(const Json& figures);
+
+}  // namespace voxprite::bench
