@@ -43,6 +43,7 @@ class ToolHand : public testing::Test {
         input.held = down;
         input.released = released;
         input.shift = shift;
+        input.alt = alt;
         input.wheel = std::exchange(wheel, 0.0);
         const Camera eye = camera();
         const editor::ToolContext context{session, settings, eye, input, pickAt(pointer), 1.0f};

@@ -168,9 +168,13 @@ void drawSelection(Ui& ui, bool busy) {
     }
     const bool moves = !selection.floating() || selection.floating()->kind == Floating::Kind::move;
     if (!moves || (selection.empty() && !selection.floating())) return;
-    for (const CommandId id : kArrange) {
-        commandButton(ui, id, Lit::off, ui.theme.px(kHeight));
-        ImGui::SameLine(0.0f, ui.theme.px(2));
+    for (std::size_t i = 0; i < kArrange.size(); ++i) {
+        commandButton(ui, kArrange[i], Lit::off, ui.theme.px(kHeight));
+        const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+        ImGui::GetWindowDrawList()->AddLine({min.x + ui.theme.px(4), max.y - ui.theme.px(1)},
+                                            {max.x - ui.theme.px(4), max.y - ui.theme.px(1)},
+                                            kAxisColours[i % 3], ui.theme.px(2));
+        ImGui::SameLine(0.0f, ui.theme.px(i == 2 ? 8 : 2));
     }
 }
 

@@ -19,7 +19,8 @@ ToolResult SelectBoxTool::update(const ToolContext& context) {
     // Something else selected meanwhile: the box is history.
     if (box_ && selection.revision() != box_->revision) box_.reset();
     hot_ = -1;
-    if (box_ && box_->handle == kSettled && input.hovered) {
+    // With Shift another box is meant, even where a handle is.
+    if (box_ && box_->handle == kSettled && input.hovered && !input.shift) {
         const std::vector<Handle> all = handles();
         hot_ = handleAt(all, context.camera, input.pointerPx, context.scale);
     }
