@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint64_t kBytesPerTexel = 4;  // of both textures
 // Sprites that are not shown are kept for as many frames: large ones no longer, others until the
 // room is needed.
-constexpr std::uint64_t kFramesKept = 3;
+constexpr std::uint64_t kFramesKept = 5;  // four pictures side by side are four frames
 
 gl::Texture pageArray(glm::ivec3 size) {
     gl::Texture texture = gl::createTexture2dArray();
