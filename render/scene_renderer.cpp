@@ -14,8 +14,8 @@ namespace voxprite {
 
 namespace {
 
-// 64 MiB of sprites: half of what every driver takes as one buffer.
-constexpr std::size_t kMostSprites = std::size_t{1} << 18;
+// 32 MiB of sprites: a quarter of what every driver takes as one buffer.
+constexpr std::size_t kMostSprites = std::size_t{1} << 17;
 
 std::uint64_t pixelCount(const LatticeView& lattice) {
     return static_cast<std::uint64_t>(lattice.size.x) * static_cast<std::uint64_t>(lattice.size.y);

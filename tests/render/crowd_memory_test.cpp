@@ -276,6 +276,40 @@ TEST_F(CrowdMemory, AnyNumberOfPalettes) {
     }
 }
 
+TEST_F(CrowdMemory, AHundredThousandAreOneDraw) {
+    GameProfile profile = plainProfile();
+    profile.view = ViewRule::cameraForward;
+    profile.sigma = 0.25;
+    Camera view = parallel(0, 0);
+    view.viewportPx = {128, 128};
+    view.orthographicHeightMetres = 700.0;
+    view.eyeMetres = {0.0, 0.0, 30.0};
+    Scene scene;
+    scene.background = kBackground;
+    const auto add = [&](int count) {
+        for (int k = 0; k < count; ++k) {
+            const glm::dvec3 at(k % 400 - 200.0, k / 400 - 165.0, 0.0);
+            scene.entities.push_back(entity(k % 2 == 0 ? *ball_ : *letters_, at, profile));
+        }
+    };
+    add(100'000);
+    const Picture first = draw(scene, view, profile);
+    EXPECT_EQ(first.stats.drawn, 100'000);
+    EXPECT_EQ(first.stats.drawCalls, 1);
+    EXPECT_EQ(first.stats.casts, 2U);
+    const Picture still = draw(scene, view, profile);
+    EXPECT_EQ(still.stats.drawCalls, 1);
+    EXPECT_EQ(still.stats.castsReused, 100'000U);
+    EXPECT_EQ(still.stats.rays, 0U);
+    EXPECT_EQ(mismatches(still.colour, first.colour), 0U);
+    // More than go to the GPU at a time; they stand where others stand already.
+    add(40'000);
+    const Picture more = draw(scene, view, profile);
+    EXPECT_EQ(more.stats.drawCalls, 2);
+    EXPECT_EQ(more.stats.drawn, 140'000);
+    EXPECT_EQ(mismatches(more.colour, first.colour), 0U);
+}
+
 TEST_F(CrowdMemory, EveryEntityHasItsShadow) {
     const GameProfile profile = plainProfile();
     Scene scene = crowd(profile);
