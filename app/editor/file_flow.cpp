@@ -2,6 +2,7 @@
 
 #include "app/editor/panels/progress.h"
 #include "app/editor/toasts.h"
+#include "core/io/formats.h"
 
 namespace voxprite::editor {
 namespace {
@@ -204,19 +205,30 @@ void FileFlow::write(std::string title, const std::filesystem::path& path,
 
 void FileFlow::exportTo(const std::filesystem::path& path) {
     const std::string name = path.filename().string();
-    write("Exporting " + name, path,
-          [this, name] { context_.toasts.info("Exported and verified " + name); });
+    write("Exporting " + name, path, [this, path, name] {
+        tellLosses(path);
+        context_.toasts.info("Exported and verified " + name);
+    });
 }
 
 void FileFlow::saveTo(const std::filesystem::path& path) {
     const std::string name = path.filename().string();
     write("Saving " + name, path, [this, path, name] {
+        tellLosses(path);
         context_.toasts.info("Saved " + name);
         context_.settings.remember(path);
         // A .vox file is an export: the document is as unsaved as it was.
         if (context_.session.unsaved()) waiting_ = Waiting::none;
         goOn();
     });
+}
+
+void FileFlow::tellLosses(const std::filesystem::path& path) {
+    const Result<Format> format = formatOf(path);
+    if (!format) return;
+    for (std::string& loss : lossesOf(context_.session.document(), *format)) {
+        context_.toasts.info(std::move(loss));
+    }
 }
 
 bool FileFlow::tell(const Status& done, const std::string& news) {

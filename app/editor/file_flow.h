@@ -59,6 +59,8 @@ class FileFlow {
     void write(std::string title, const std::filesystem::path& path,
                std::function<void()> afterwards);
     void cancelWork();
+    // What the format of a file that was written cannot hold.
+    void tellLosses(const std::filesystem::path& path);
     // A failure to be read; success to be seen in passing.
     bool tell(const Status& done, const std::string& news);
 

@@ -114,16 +114,20 @@ void PalettePanel::drawPicker(Ui& ui) {
 void PalettePanel::drawToolbar(Ui& ui) {
     using enum CommandId;
     const Theme& theme = ui.theme;
+    constexpr std::array kButtons{
+        toolPickColour, selectByColour, duplicateColour,     swapColours,   gradientColours,
+        makeRamp,       suggestRamps,   removeUnusedColours, importPalette, exportPalette};
     const float size = theme.px(24);
-    for (const CommandId id :
-         {toolPickColour, duplicateColour, swapColours, gradientColours, makeRamp, suggestRamps,
-          removeUnusedColours, importPalette, exportPalette}) {
+    const auto gaps = static_cast<float>(kButtons.size());  // the menu for sorting comes last
+    const float spare = ImGui::GetContentRegionAvail().x - (gaps + 1.0f) * size;
+    const float gap = std::clamp(std::floor(spare / gaps), 0.0f, theme.px(6));
+    for (const CommandId id : kButtons) {
         const bool enabled = isEnabled(id, ui.context);
         if (!enabled) ImGui::BeginDisabled();
         const bool on = isOn(id, ui.context);
         commandButton(ui, id, on ? Lit::filled : Lit::off, size);
         if (!enabled) ImGui::EndDisabled();
-        ImGui::SameLine(0.0f, theme.px(5));
+        ImGui::SameLine(0.0f, gap);
     }
     if (iconButton(ui, "palette.sort", icon::kSort, Lit::off, size, "Sort the display")) {
         ImGui::OpenPopup(kSortMenu);

@@ -161,6 +161,11 @@ void PalettePanel::drawMenu(Ui& ui) {
             editor_.choose(menuFor_);
             ui.commands.ask(CommandId::duplicateColour);
         }
+        const std::string select = "Select its " + voxels;
+        if (ImGui::MenuItem(select.c_str(), nullptr, false, count > 0)) {
+            editor_.choose(menuFor_);
+            ui.commands.ask(CommandId::selectByColour);
+        }
         const std::string recolour = "Recolour its " + voxels + " to " + std::to_string(hand);
         if (ImGui::MenuItem(recolour.c_str(), nullptr, false, count > 0 && hand != menuFor_)) {
             ui.edits.push(editor_.recolourToHand(menuFor_));
