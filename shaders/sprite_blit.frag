@@ -3,7 +3,7 @@
 
 #include "shared/sprite_mapping.glsl"
 
-// An image: there are no levels to choose from, which a software rasteriser would do for each pixel.
+// An image has no levels to choose from; a software rasteriser would choose for each pixel.
 layout(binding = 0, r32ui) readonly uniform uimage2DArray sprite_image;
 
 layout(location = 0) out uint colour;

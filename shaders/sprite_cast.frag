@@ -15,6 +15,7 @@ void main() {
         id = 0u;
         return;
     }
-    colour = texelFetch(palette_texture, ivec2(int(hit.material), palette_row + hit.face_axis), 0).r;
+    ivec2 shade = ivec2(int(hit.material), palette_row + hit.face_axis);
+    colour = texelFetch(palette_texture, shade, 0).r;
     id = voxelId(hit);
 }

@@ -33,7 +33,8 @@ void main() {
         LatticeHit hit = castLattice(neighbour + region_first);
         if (hit.material == 0u) continue;
         if (k == 0) {
-            colour = texelFetch(palette_texture, ivec2(int(hit.material), palette_row + hit.face_axis), 0).r;
+            ivec2 shade = ivec2(int(hit.material), palette_row + hit.face_axis);
+            colour = texelFetch(palette_texture, shade, 0).r;
             id = voxelId(hit);
         } else {
             colour = outline_colour;

@@ -1,8 +1,8 @@
 // The sprites of a draw, one struct each, and what all of them share.
 //
-// sigma, voxel_size, camera_distance, anchor_to_center, ray_dir_local, camera_up_local and light_dir
-// are what the integers of the lattice and the palette were made from; they are here for whoever
-// looks at a frame in a debugger.
+// sigma, voxel_size, camera_distance, anchor_to_center, ray_dir_local, camera_up_local and
+// light_dir are what the integers of the lattice and the palette were made from; they are here for
+// whoever looks at a frame in a debugger.
 
 struct Sprite {
     vec4 pixel_from_screen[3];  // of (x, y, 1), x and y from screen_reference; homogeneous

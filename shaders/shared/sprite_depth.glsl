@@ -11,9 +11,11 @@ layout(depth_less) out float gl_FragDepth;
 float pixelDepth(ivec2 cell, uint id) {
     uint index = id - 2u;
     uint row = index / svo_model_size.x;
-    ivec3 voxel = ivec3(uvec3(index % svo_model_size.x, row % svo_model_size.y, row / svo_model_size.y));
+    ivec3 voxel =
+        ivec3(index % svo_model_size.x, row % svo_model_size.y, row / svo_model_size.y);
     // From the centre corner, in lattice steps.
-    precise vec3 origin = vec3(latticePoint(lattice_origin, lattice_right, lattice_up, cell + region_first));
+    precise vec3 origin =
+        vec3(latticePoint(lattice_origin, lattice_right, lattice_up, cell + region_first));
     precise vec3 direction = vec3(lattice_direction);
     ivec3 far_side = ivec3(lessThan(lattice_direction, ivec3(0)));
     precise vec3 face =

@@ -1,6 +1,7 @@
 // What all sprites of a draw share.
 //
-// Colours of sprites are words of RGBA8 all the way, red lowest: they are moved, never computed with.
+// Colours of sprites are words of RGBA8 all the way, red lowest: they are moved and never computed
+// with.
 
 layout(std140, binding = 2) uniform SpriteDraw {
     vec4 depth_from_metres;  // depth = (x * metres + y) / (z * metres + w)
