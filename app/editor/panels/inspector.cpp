@@ -29,6 +29,10 @@ constexpr std::array kModes{
     Choice{"Buffers", "Each sprite is cast once, a ray a virtual pixel, and kept while it shows"},
     Choice{"Single pass", "Every screen pixel casts its own rays: the same picture, slower"}};
 
+constexpr std::array kShadings{
+    Choice{"Multiply", "Light multiplies the colours"},
+    Choice{"Palette", "Light picks from the palette's ramps: a sprite has only your colours"}};
+
 // Whole and quarter values above 1, where the grid falls evenly; halvings below.
 double snapSigma(double sigma) {
     if (sigma < 1.0) return std::exp2(std::round(std::log2(sigma)));
@@ -160,6 +164,7 @@ void lightSection(Ui& ui, GameProfile& profile) {
         towardLight != glm::dvec3(0.0)) {
         profile.light.towardLight = towardLight;
     }
+    static_cast<void>(enumRow(ui, "inspector.shading", "Shading", profile.shading, kShadings));
 }
 
 }  // namespace
