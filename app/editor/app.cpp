@@ -270,12 +270,14 @@ void App::dumpLayout() {
                          {"unsaved", session_.unsaved()},
                          {"pointer", {pointer_.x, pointer_.y}},
                          {"making", voxels_.tools().busy()},
+                         {"selected", session_.selection().voxels().count()},
                          {"steps", session_.history().position()},
                          {"sigma", session_.profile().sigma},
                          {"file", session_.path() ? session_.path()->string() : ""},
                          {"dialog", openDialog()},
                          {"colour", settings_.tool.colour},
                          {"toast", toasts_.newest()}};
+    if (const auto& floating = session_.selection().floating()) state["amount"] = floating->amount;
     const SceneFigures& sprites = sprite_.figures();
     state["sprites"] = {{"entities", sprites.entities},
                         {"drawn", sprites.stats.drawn},
