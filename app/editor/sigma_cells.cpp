@@ -8,7 +8,7 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr ImU32 kPill = IM_COL32(16, 17, 19, 190);
+constexpr ImU32 kPill = IM_COL32(16, 17, 19, 215);
 constexpr ImU32 kPillText = IM_COL32(240, 241, 243, 255);
 constexpr ImU32 kPillDim = IM_COL32(200, 203, 208, 255);
 
@@ -50,6 +50,9 @@ void drawCaption(Ui& ui, ImVec2 lowerLeft, int index) {
     ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(255, 255, 255, 26));
     ImGui::PushStyleColor(ImGuiCol_FrameBgHovered, IM_COL32(255, 255, 255, 44));
     ImGui::PushStyleColor(ImGuiCol_FrameBgActive, IM_COL32(255, 255, 255, 60));
+    ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(255, 255, 255, 26));
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, IM_COL32(255, 255, 255, 44));
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, IM_COL32(255, 255, 255, 60));
     ImGui::BeginChild(name.c_str(), size, false,
                       ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
     ImGui::AlignTextToFramePadding();
@@ -81,7 +84,7 @@ void drawCaption(Ui& ui, ImVec2 lowerLeft, int index) {
         tooltip(ui, "Make this the game's sigma");
     }
     ImGui::EndChild();
-    ImGui::PopStyleColor(5);
+    ImGui::PopStyleColor(8);
     ImGui::PopStyleVar(3);
 }
 
