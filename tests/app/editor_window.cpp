@@ -189,6 +189,21 @@ void EditorWindow::drag(glm::ivec2 from, glm::ivec2 to, int button) {
     xdotool("mouseup " + std::to_string(button));
 }
 
+void EditorWindow::carry(glm::ivec2 from, glm::ivec2 to) {
+    const auto settle = [&](glm::ivec2 px) {
+        moveTo(px);
+        await("the pointer at its place", [&](const nlohmann::json& now) {
+            const nlohmann::json& at = now.at("state").at("pointer");
+            return at.at(0) == px.x && at.at(1) == px.y;
+        });
+        std::this_thread::sleep_for(3 * kBetweenLooks);
+    };
+    settle(from);
+    xdotool("mousedown 1");
+    for (int i = 1; i <= 4; ++i) settle(from + (to - from) * i / 4);
+    xdotool("mouseup 1");
+}
+
 void EditorWindow::key(const std::string& chord) {
     xdotool("key " + chord);
 }

@@ -55,6 +55,8 @@ class EditorWindow : public testing::Test {
     void moveTo(glm::ivec2 at);
     void click(glm::ivec2 at, int button = 1);
     void drag(glm::ivec2 from, glm::ivec2 to, int button = 1);
+    // Waits until the program has seen each step: what is carried is seen over what lies below.
+    void carry(glm::ivec2 from, glm::ivec2 to);
     void key(const std::string& chord);
     void keyDown(const std::string& name);
     void keyUp(const std::string& name);

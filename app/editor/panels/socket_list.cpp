@@ -81,7 +81,14 @@ void drawSocketList(Ui& ui) {
     ImGui::PushID("sockets");
     drawHeading(ui);
     const auto count = static_cast<int>(ui.session.document().sockets.size());
-    for (int index = 0; index < count; ++index) drawRow(ui, index);
+    // What was chosen elsewhere, by a click in the view, comes into sight.
+    const int chosen = ui.context.objects.socket().value_or(-1);
+    int& inSight = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("chosen"), -1);
+    for (int index = 0; index < count; ++index) {
+        drawRow(ui, index);
+        if (index == chosen && inSight != chosen) ImGui::SetScrollHereY(1.0f);
+    }
+    inSight = chosen;
     if (count == 0) {
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + theme.px(4));
         ImGui::PushStyleColor(ImGuiCol_Text, theme.textFaint);
