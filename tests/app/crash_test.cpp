@@ -20,6 +20,7 @@
 #include "app/editor/recovery/recovery_folder.h"
 #include "core/io/formats.h"
 #include "tests/app/crash/crash_voxels.h"
+#include "tests/support/must.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/voxels.h"
 
@@ -120,8 +121,8 @@ TEST(Crash, AKilledEditorLosesSecondsAtMost) {
     for (int kill = 0; kill < kills && !HasFailure(); ++kill) {
         SCOPED_TRACE("kill " + std::to_string(kill));
         const fs::path recovery = folder.path() / ("recovery" + std::to_string(kill));
-        const LastWords words =
-            runAndKill(recovery, document, random(), std::chrono::milliseconds(random() % 900));
+        const LastWords words = runAndKill(recovery, document, static_cast<unsigned>(random()),
+                                           std::chrono::milliseconds(random() % 900));
         // Everything of it that is on the disk under the document's name is whole.
         std::uint64_t kept = 0;
         if (fs::exists(document)) {
@@ -133,7 +134,9 @@ TEST(Crash, AKilledEditorLosesSecondsAtMost) {
         }
         const std::vector<editor::LostWork> lost = editor::findLostWork(recovery);
         EXPECT_LE(lost.size(), 1U);
-        if (words.copied > 0) EXPECT_EQ(lost.size(), 1U) << "it said that there was a copy";
+        if (words.copied > 0) {
+            EXPECT_EQ(lost.size(), 1U) << "it said that there was a copy";
+        }
         for (const editor::LostWork& work : lost) {
             ++recovered;
             const std::uint64_t copy = editsIn(work.document);

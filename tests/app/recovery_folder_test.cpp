@@ -8,6 +8,7 @@
 #include "core/io/formats.h"
 #include "core/io/png.h"
 #include "core/io/profile_json.h"
+#include "tests/support/must.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/voxels.h"
 

@@ -12,6 +12,7 @@
 #include "core/svo/bake.h"
 #include "render/gl/context.h"
 #include "render/gpu_octree.h"
+#include "tests/support/must.h"
 
 namespace voxprite::test {
 
@@ -31,13 +32,6 @@ class GlTest : public testing::Test {
   private:
     std::optional<gl::HeadlessContext> context_;
 };
-
-// The value, or a failed test and an exception that ends it.
-template <class T>
-[[nodiscard]] T must(Result<T> result) {
-    if (!result) throw std::runtime_error(result.error().describe());
-    return std::move(*result);
-}
 
 // A model baked, on both sides.
 struct GpuModel {
