@@ -17,7 +17,8 @@ void drawMark(Ui& ui, const ViewDrawing& drawing, ImVec2 at, std::size_t index, 
     const Socket& socket = ui.session.document().sockets[index];
     const bool chosen = ui.context.objects.socket() == static_cast<int>(index);
     const float radius = theme.px(chosen ? 6.0f : 5.0f);
-    const ImU32 colour = chosen ? theme.accent : IM_COL32(245, 246, 248, 255);
+    // On dark in both themes.
+    const ImU32 colour = chosen ? IM_COL32(255, 180, 70, 255) : IM_COL32(245, 246, 248, 255);
     const float alpha = seen ? 1.0f : 0.35f;
     ImDrawList& list = drawing.list();
     const auto diamond = [&](float r, ImU32 fill) {
