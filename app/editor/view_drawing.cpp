@@ -1,5 +1,7 @@
 #include "app/editor/view_drawing.h"
 
+#include <algorithm>
+
 #include "app/editor/picking.h"
 
 namespace voxprite::editor {
@@ -63,6 +65,10 @@ void ViewDrawing::boxFaces(const IBox& box, ImU32 colour) const {
 void ViewDrawing::label(const Theme& theme, ImVec2 at, const char* text) const {
     const ImVec2 size = ImGui::CalcTextSize(text);
     const ImVec2 pad = theme.px(8, 4);
+    // Wherever it belongs, it is to be read: inside the view.
+    const ImVec2 min = list_->GetClipRectMin(), max = list_->GetClipRectMax();
+    at.x = std::max(min.x, std::min(at.x, max.x - size.x - 3 * pad.x));
+    at.y = std::max(min.y, std::min(at.y, max.y - size.y - 3 * pad.y));
     list_->AddRectFilled(at, {at.x + size.x + 2 * pad.x, at.y + size.y + 2 * pad.y},
                          IM_COL32(16, 17, 19, 200), theme.px(5));
     list_->AddText({at.x + pad.x, at.y + pad.y}, IM_COL32(240, 241, 243, 255), text);

@@ -101,7 +101,8 @@ bool letter(Ui& ui, const std::string& name, const char* text, bool on, ImU32 co
     return pressed;
 }
 
-void drawTip(Ui& ui, ToolOptions& options) {
+// `compact` leaves room for the figures of what is being made.
+void drawTip(Ui& ui, ToolOptions& options, bool compact) {
     constexpr std::array<Choice, 3> kTips{Choice{"Cube", "A cube on the face, or biting into it"},
                                           Choice{"Sphere", "A sphere around the voxel"},
                                           Choice{"Disc", "One layer, round, flat on the face"}};
@@ -109,13 +110,15 @@ void drawTip(Ui& ui, ToolOptions& options) {
     label(ui, "Size", "Edge or diameter of the tip in voxels");
     constexpr const char* kHint =
         "Tip in voxels: drag, Ctrl+click to type, or use the keys - and =";
-    ImGui::SetNextItemWidth(ui.theme.px(96));
-    ImGui::SliderInt(
-        "##slider", &options.tipEdge, 1, kMaxTipEdge, "",
-        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput);
-    ui.probe.markItem("options.size");
-    tooltip(ui, kHint);
-    ImGui::SameLine(0.0f, ui.theme.px(4));
+    if (!compact) {
+        ImGui::SetNextItemWidth(ui.theme.px(96));
+        ImGui::SliderInt(
+            "##slider", &options.tipEdge, 1, kMaxTipEdge, "",
+            ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput);
+        ui.probe.markItem("options.size");
+        tooltip(ui, kHint);
+        ImGui::SameLine(0.0f, ui.theme.px(4));
+    }
     ImGui::SetNextItemWidth(ui.theme.px(44));
     ImGui::DragInt("##size", &options.tipEdge, 0.1f, 1, kMaxTipEdge, "%d",
                    ImGuiSliderFlags_AlwaysClamp);
@@ -340,7 +343,7 @@ ToolAnswer drawToolOptions(Ui& ui, Tool* tool) {
         case ToolKind::brush:
         case ToolKind::laser:
         case ToolKind::line:
-            drawTip(ui, options);
+            drawTip(ui, options, tool != nullptr && tool->busy() && !tool->figures().empty());
             break;
         case ToolKind::box:
         case ToolKind::sphere:
