@@ -287,6 +287,8 @@ void App::dumpLayout() {
                        {"pitch", camera.pitchDegrees},
                        {"distance", camera.distance},
                        {"orthographic", camera.orthographic}};
+    const auto copied = autosave_ ? autosave_->copiedPosition() : std::nullopt;
+    state["copied"] = copied ? static_cast<long long>(*copied) : -1;
     state["working"] = files_.isWorking();
     state["longest_frame_ms"] = std::round(longestFrameMilliseconds_);
     if (const auto& hovered = voxels_.hovered()) {

@@ -55,6 +55,13 @@ Process::~Process() {
     ::waitpid(id_, nullptr, 0);
 }
 
+void Process::kill() {
+    if (!running()) return;
+    ::kill(id_, SIGKILL);
+    ::waitpid(id_, nullptr, 0);
+    id_ = -1;
+}
+
 Process& Process::operator=(Process&& other) noexcept {
     std::swap(id_, other.id_);
     std::swap(status_, other.status_);
@@ -104,7 +111,7 @@ void EditorWindow::setResolution(int dotsPerInch) {
 
 std::vector<std::string> EditorWindow::environment() const {
     return {"DISPLAY=" + display_, "XDG_CONFIG_HOME=" + file("config").string(),
-            "LIBGL_ALWAYS_SOFTWARE=1"};
+            "XDG_STATE_HOME=" + file("state").string(), "LIBGL_ALWAYS_SOFTWARE=1"};
 }
 
 void EditorWindow::startEditor(std::vector<std::string> arguments) {
@@ -117,6 +124,7 @@ void EditorWindow::startEditor(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {VOXPRITE_PROGRAM, "edit"});
     arguments.insert(arguments.end(), {"--dump-layout", file("layout.json").string(), "--record",
                                        file("record.jsonl").string()});
+    std::filesystem::remove(file("layout.json"));  // what an editor before this one said
     editor_ = Process(arguments, environment(), file("editor.log"));
     await("the editor to show itself", [](const auto&) { return true; });
 }

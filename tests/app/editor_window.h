@@ -26,6 +26,7 @@ class Process {
     Process(const Process&) = delete;
     Process& operator=(Process&& other) noexcept;
     [[nodiscard]] bool running();
+    void kill();  // without a chance to tidy up
     // Its exit status once it has ended by itself; -1 when it crashed or had to be killed.
     [[nodiscard]] int wait();
 
