@@ -232,6 +232,20 @@ int coloursIn(const Image& image, const std::vector<double>& rect) {
     return static_cast<int>(colours.size());
 }
 
+// Commands have buttons in several panels and over the views: in one of them they are whole.
+bool isInSomePart(const Json& items, const std::string& item) {
+    const auto inner = items.at(item).get<std::vector<double>>();
+    for (const auto& [part, rect] : items.items()) {
+        if (!part.starts_with("panel.") && !part.starts_with("view.")) continue;
+        const auto outer = rect.get<std::vector<double>>();
+        if (inner[0] >= outer[0] && inner[1] >= outer[1] && inner[2] <= outer[2] &&
+            inner[3] <= outer[3]) {
+            return true;
+        }
+    }
+    return false;
+}
+
 TEST_F(EditorInAWindow, ScreenshotsAtAllSizesShowEveryPart) {
     ASSERT_NO_FATAL_FAILURE(startDisplay({2560, 1600}));
     ASSERT_TRUE(saveDocument(file("box.vox"), busyDocument(), GameProfile{}));
@@ -253,8 +267,8 @@ TEST_F(EditorInAWindow, ScreenshotsAtAllSizesShowEveryPart) {
         ASSERT_TRUE(shot) << shot.error().describe();
         ASSERT_EQ(glm::ivec2(shot->width, shot->height), each.size);
         const Json items = layout().at("items");
-        for (const char* part : {"panel.menu", "panel.tools", "panel.inspector", "panel.dock",
-                                 "panel.status", "view.edit", "view.sprite"}) {
+        for (const char* part : {"panel.menu", "panel.tools", "panel.options", "panel.inspector",
+                                 "panel.dock", "panel.status", "view.edit", "view.sprite"}) {
             ASSERT_TRUE(items.contains(part)) << part;
             EXPECT_GT(coloursIn(*shot, items.at(part).get<std::vector<double>>()), 8) << part;
         }
@@ -269,8 +283,14 @@ TEST_F(EditorInAWindow, ScreenshotsAtAllSizesShowEveryPart) {
         };
         for (const auto& [item, rect] : items.items()) {
             if (item.starts_with("inspector.")) inside(item, "panel.inspector", true);
-            if (item.starts_with("command.")) inside(item, "panel.tools", false);
-            if (item.starts_with("palette.")) inside(item, "panel.dock", false);
+            if (item.starts_with("options.")) inside(item, "panel.options", false);
+            if (item.starts_with("command.")) {
+                EXPECT_TRUE(isInSomePart(items, item)) << item;
+            }
+            // The swatches scroll under the panel's lower edge.
+            if (item.starts_with("palette.")) {
+                inside(item, "panel.dock", item.starts_with("palette.swatch"));
+            }
             if (item.starts_with("status.")) inside(item, "panel.status", false);
         }
         ASSERT_GT(items.size(), 40u);
@@ -287,11 +307,11 @@ TEST_F(EditorInAWindow, FollowsTheDisplaysContentScale) {
         const auto rect = layout().at("items").at("panel.tools").get<std::vector<double>>();
         return rect[2] - rect[0];
     };
-    EXPECT_EQ(toolWidth("1"), 48.0);
-    EXPECT_EQ(toolWidth("1.5"), 72.0);
-    EXPECT_EQ(toolWidth(""), 48.0);
+    EXPECT_EQ(toolWidth("1"), 84.0);
+    EXPECT_EQ(toolWidth("1.5"), 126.0);
+    EXPECT_EQ(toolWidth(""), 84.0);
     setResolution(144);
-    EXPECT_EQ(toolWidth(""), 72.0);
+    EXPECT_EQ(toolWidth(""), 126.0);
 }
 
 TEST_F(EditorInAWindow, SaysWhyItCannotStart) {
