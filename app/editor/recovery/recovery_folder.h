@@ -23,7 +23,7 @@
 
 namespace voxprite::editor {
 
-inline constexpr int kRecoveryPictureEdgePx = 160;
+inline constexpr int kRecoveryPictureEdgePx = 104;
 
 // $XDG_STATE_HOME/voxprite/recovery, or under ~/.local/state.
 [[nodiscard]] std::filesystem::path recoveryPath();
