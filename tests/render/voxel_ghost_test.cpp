@@ -99,5 +99,57 @@ TEST_F(VoxelGhosts, TheNextPictureHasNone) {
     EXPECT_EQ(frame.readColour().pixels, before.pixels);
 }
 
+// Marked voxels of the model itself: tinted where they are in sight, faintly where something nearer
+// hides them, with a line around them; nothing else changes.
+TEST_F(VoxelGhosts, MarkedVoxelsCoverTheModelsOwnSurface) {
+    VoxelGrid voxels = test::solidBox({12, 12, 12}, 40);
+    VoxelGrid some;
+    some.set({0, 0, 0}, 1);  // so that both fill the same box
+    some.set({11, 11, 11}, 1);
+    some.fill({{3, 0, 3}, {9, 12, 9}}, 1);  // through to the side that is hidden
+    const GpuModel model(voxels), marked(some);
+    const PlacedEntity placed = model.placedAt(glm::dvec3(0), GameProfile{});
+    const Camera camera = orbitCamera({35, 25, 0}, placed.centreMetres(),
+                                      3.5 * placed.radiusMetres(), 40.0, kViewport);
+    VoxelViewOptions options;
+    options.ground = false;
+    VoxelView view = must(VoxelView::create());
+    Frame frame(kViewport);
+    view.draw(frame, marked.gpu, marked.palette, placed, camera, options);
+    const std::vector<float> alone = frame.readDepth();
+    view.draw(frame, model.gpu, model.palette, placed, camera, options);
+    const Picture before{frame.readColour(), frame.readDepth()};
+    view.drawMarked(frame, marked.gpu, marked.palette, placed, camera, kTint, 1.0f);
+    const Picture after{frame.readColour(), frame.readDepth()};
+
+    EXPECT_EQ(after.depth, before.depth);
+    int inSight = 0, hidden = 0, plain = 0, lines = 0, elsewhere = 0;
+    for (int y = 0; y < kViewport.y; ++y) {
+        for (int x = 0; x < kViewport.x; ++x) {
+            const auto at = static_cast<std::size_t>(y * kViewport.x + x);
+            const bool changed = after.colour.at(x, y) != before.colour.at(x, y);
+            if (alone[at] == 0.0f) {
+                elsewhere += changed ? 1 : 0;
+                continue;
+            }
+            const bool seen = alone[at] >= before.depth[at] * (1.0f - 1e-5f);
+            (seen ? inSight : hidden) += 1;
+            const double share = kTint.w / 255.0 * (seen ? 1.0 : 0.35);
+            bool tinted = true;
+            for (int channel = 0; channel < 3; ++channel) {
+                const double was = before.colour.at(x, y)[channel];
+                const double expected = was + (kTint[channel] - was) * share;
+                tinted = tinted && std::abs(after.colour.at(x, y)[channel] - expected) <= 2.0;
+            }
+            (tinted ? plain : lines) += 1;
+        }
+    }
+    EXPECT_EQ(elsewhere, 0);
+    EXPECT_GT(inSight, 800);
+    EXPECT_GT(hidden, 300);
+    EXPECT_GT(plain, lines);
+    EXPECT_GT(lines, 200);
+}
+
 }  // namespace
 }  // namespace voxprite
