@@ -56,6 +56,9 @@ TEST_F(PaletteInAWindow, ColoursAreChosenMovedRecolouredAndVaried) {
     type("112233");
     key("Return");
     awaitState("steps", 4);
+    // The field has let go of the keys once a click elsewhere is answered.
+    click(swatch(1));
+    awaitState("colour", 1);
     key("ctrl+s");
     awaitState("unsaved", false);
 

@@ -118,10 +118,10 @@ void PalettePanel::drawSwatches(Ui& ui, float height) {
         }
     }
     if (ImGui::IsItemDeactivated()) {
-        const ImVec2 moved = ImGui::GetMouseDragDelta(0, theme.px(5));
-        if (dragged_ != 0 && under != 0 && (moved.x != 0.0f || moved.y != 0.0f)) {
-            dropSwatch(ui, under);
-        }
+        // Where the button went down counts: a quick drag can fall into a single frame.
+        const ImVec2 from = ImGui::GetIO().MouseClickedPos[0];
+        const bool moved = std::hypot(mouse.x - from.x, mouse.y - from.y) >= theme.px(5);
+        if (dragged_ != 0 && under != 0 && moved) dropSwatch(ui, under);
         dragged_ = 0;
     }
     drawMenu(ui);
