@@ -19,38 +19,47 @@ std::optional<Placement> placeOf(const Session& session) {
     return std::nullopt;
 }
 
-// In entity space. What is being reshaped is seen without any mark on it.
-VoxelGrid marked(const Session& session, const std::optional<Placement>& place) {
-    const VoxelSelection& selection = session.selection();
-    if (const auto& floating = selection.floating()) {
-        if (floating->kind != Floating::Kind::move) return {};
-        const Result<VoxelClip> made = floating->made();
-        return made ? made->placed() : VoxelGrid();
-    }
-    if (selection.empty() || !place) return {};
-    return *place == Placement{} ? selection.voxels().grid()
-                                 : transformed(selection.voxels().grid(), *place);
-}
-
 }  // namespace
 
+void SelectionPicture::bakeAgain() {
+    VoxelClip clip{source_.voxels, {source_.rotation, glm::ivec3(0)}};
+    box_ = {};
+    if (source_.scale > 1 && !scale(clip, source_.scale)) return;
+    const VoxelGrid grid = clip.placed();
+    if (grid.empty()) return;
+    const Result<Octree> octree = bake(grid);
+    if (!octree) return;
+    octree_.upload(octree->view());
+    box_ = grid.bounds();
+}
+
 std::uint64_t SelectionPicture::follow(const Session& session) {
+    const VoxelSelection& selection = session.selection();
+    const auto& floating = selection.floating();
     const std::optional<Placement> place = placeOf(session);
-    const Source now{place || session.selection().floating() ? session.selection().revision() : 0,
-                     place.value_or(Placement{})};
-    if (source_ != now) {
-        source_ = now;
-        const VoxelGrid grid = marked(session, place);
-        box_ = grid.bounds();
-        const Result<Octree> octree =
-            box_.empty() ? Result<Octree>(fail("nothing")) : bake(grid, box_);
-        if (octree) {
-            octree_.upload(octree->view());
-        } else {
-            box_ = {};
-        }
+    const Placement entityFromModel = floating ? Placement{} : place.value_or(Placement{});
+    const bool shows =
+        floating ? floating->kind == Floating::Kind::move : place.has_value() && !selection.empty();
+    const std::uint64_t wanted = shows ? selection.revision() : 0;
+    if (wanted == revision_ && entityFromModel == entityFromModel_) return revision_;
+    revision_ = wanted;
+    entityFromModel_ = entityFromModel;
+    Source now;
+    if (shows && floating) {
+        now = {floating->clip.voxels, floating->clip.modelFromClip.rotation, floating->amount};
+    } else if (shows) {
+        now = {selection.voxels().grid(), entityFromModel.rotation, 1};
     }
-    return box_.empty() ? 0 : octree_.revision();
+    if (source_ != now) {
+        source_ = std::move(now);
+        bakeAgain();
+    }
+    if (box_.empty()) return 0;
+    const glm::ivec3 corner = floating
+                                  ? floating->bounds().min
+                                  : entityFromModel.applyToBox(selection.voxels().bounds()).min;
+    box_ = {corner, corner + box_.size()};
+    return revision_;
 }
 
 void SelectionPicture::draw(VoxelView& view, Frame& frame, const Session& session,

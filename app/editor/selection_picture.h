@@ -17,15 +17,20 @@ class SelectionPicture {
               float scale) const;
 
   private:
-    // What it was made from.
+    // What it was made from; where that lies is not a part of it, so that moving it is cheap.
     struct Source {
-        std::uint64_t selection = 0;
-        Placement entityFromModel;
+        VoxelGrid voxels;
+        SignedPermutation rotation;
+        int scale = 1;
         bool operator==(const Source&) const = default;
     };
+    void bakeAgain();
+
     GpuOctree octree_;
     IBox box_;  // entity space; empty: nothing is shown
-    std::optional<Source> source_;
+    Source source_;
+    std::uint64_t revision_ = 0;  // of the selection that is shown
+    Placement entityFromModel_;
 };
 
 }  // namespace voxprite::editor

@@ -12,11 +12,34 @@ namespace voxprite::editor {
 namespace {
 
 constexpr double kArrowPx = 84.0;
+// More than this is only outlined until it is put down: to show it in place on every move would
+// make the pointer stick.
+constexpr std::uint64_t kMostShown = 100'000;
 constexpr std::array<ImU32, 3> kAxisColours{
     IM_COL32(240, 96, 96, 255), IM_COL32(120, 210, 110, 255), IM_COL32(100, 150, 255, 255)};
 
 glm::dvec3 middleOf(const IBox& box) {
     return (glm::dvec3(box.min) + glm::dvec3(box.max)) * 0.5;
+}
+
+// The face of the box that the ray meets, as if it were a voxel's.
+std::optional<Pick> pickBox(const IBox& box, const Camera::Ray& ray) {
+    const glm::dvec3 eye = voxelFromWorld(ray.origin);
+    const glm::dvec3 direction = voxelFromWorld(ray.direction);
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool down = direction[axis] < 0.0;
+        const int plane = down ? box.max[axis] : box.min[axis];
+        if (down ? eye[axis] < plane : eye[axis] > plane) continue;
+        const auto at = meetPlane(ray, axis, plane);
+        if (!at) continue;
+        glm::ivec3 voxel(glm::floor(*at));
+        voxel[axis] = down ? plane - 1 : plane;
+        if (!box.contains(voxel)) continue;
+        Pick pick{voxel, glm::ivec3(0)};
+        pick.normal[axis] = down ? 1 : -1;
+        return pick;
+    }
+    return std::nullopt;
 }
 
 void drawArrow(const ViewDrawing& drawing, const Theme& theme, glm::dvec3 from, glm::dvec3 to,
@@ -92,8 +115,11 @@ void MoveTool::press(const ToolContext& context, ToolResult& result) {
         drag.grabbed[hot_] = *at;
     } else {
         // What is seen, and not what lies in the document under it.
-        const auto hit = pick(session.shownOctree(), session.shownBounds(), ray);
-        if (!hit || hit->ground || !holds(session, hit->voxel)) {
+        const auto hit = floats_ && floating_.empty()
+                             ? pickBox(box_, ray)
+                             : pick(session.shownOctree(), session.shownBounds(), ray);
+        const bool onBox = hit && floats_ && floating_.empty();
+        if (!hit || hit->ground || (!onBox && !holds(session, hit->voxel))) {
             if (floats_) result.action = confirm(session);
             return;
         }
@@ -158,6 +184,10 @@ void MoveTool::look(const ToolContext& context, ToolResult& result) {
     amount_ = floating->amount;
     box_ = floating->bounds();
     moved_ = box_.min - floating->home;
+    if (kind_ == Floating::Kind::move && floating->clip.voxels.solidCount() > kMostShown) {
+        floating_.clear();
+        return;
+    }
     const Result<VoxelClip> made = floating->made();
     Result<VoxelPatch> patch = floating->patch(session.document());
     if (!made || !patch) {
