@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+
 #include "tests/support/positions.h"
 #include "tests/support/random.h"
 #include "tests/support/voxels.h"
@@ -60,6 +63,31 @@ TEST(Selection, ForgetsWhatIsNoLongerSolid) {
     const VoxelSet selection = selectBox(voxels, {{0, 0, 0}, {2, 4, 4}});
     voxels.fill({{0, 0, 0}, {1, 4, 4}}, 0);
     EXPECT_EQ(stillSolid(voxels, selection), VoxelSet(IBox{{1, 0, 0}, {2, 4, 4}}));
+}
+
+// Against asking voxel by voxel; in blocks large and small, cut by planes that lie anywhere.
+TEST(Selection, InsideHalfSpacesIsWhatTheMiddlesSay) {
+    VoxelGrid voxels;
+    voxels.fill({{-130, 0, 0}, {10, 40, 136}}, 3);
+    voxels.fill({{-5, 30, 120}, {30, 60, 150}}, 4);
+    test::Random random(5);
+    for (int round = 0; round < 6; ++round) {
+        std::vector<HalfSpace> sides;
+        for (int i = 0; i <= round % 4; ++i) {
+            const glm::dvec3 normal(random.between(-9, 9), random.between(-9, 9),
+                                    random.between(-9, 9));
+            const glm::dvec3 through(random.between(-130, 20), random.between(0, 50),
+                                     random.between(0, 140));
+            sides.push_back({normal, glm::dot(normal, through) + 0.25});
+        }
+        const VoxelSet expected = selectIf(voxels, [&](glm::ivec3 v) {
+            return std::ranges::all_of(sides, [&](const HalfSpace& side) {
+                return glm::dot(side.normal, glm::dvec3(v) + 0.5) >= side.offset;
+            });
+        });
+        EXPECT_EQ(selectInside(voxels, sides), expected) << round;
+    }
+    EXPECT_EQ(selectInside(voxels, {}), selectAll(voxels));
 }
 
 }  // namespace
