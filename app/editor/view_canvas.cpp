@@ -15,6 +15,8 @@ namespace {
 
 // How far a notch of the wheel goes where it moves as a drag does, and the other way round.
 constexpr double kPxPerNotch = 30.0;
+// Moved further than this in the frame of its release, a click was a drag.
+constexpr double kFlickPx = 4.0;
 
 }  // namespace
 
@@ -57,7 +59,8 @@ ViewInput ViewCanvas::begin(Ui& ui, const char* name, ImVec2 min, ImVec2 size) {
     const HeldKeys keys{io.KeyShift, io.KeyCtrl, io.KeysDown[GLFW_KEY_SPACE]};
     const InputSettings& habits = ui.settings.input;
     input.hovered = ImGui::IsItemHovered();
-    const bool active = ImGui::IsItemActive();
+    // The frame of the release, too: a fast hand has moved in it.
+    const bool active = ImGui::IsItemActive() || ImGui::IsItemDeactivated();
     // What a drag does is settled as it begins: a key let go of first changes nothing.
     if (!active) drag_ = CameraMove::none;
     for (const int button : {0, 1, 2}) {
@@ -124,7 +127,9 @@ void ViewCanvas::useViewCube(Ui& ui, ViewInput& input, OrbitCamera& camera, Came
     if (over && !input.held) input.hovered = false;
     if (!cubePress_) return;
 
-    cubePress_->dragged = cubePress_->dragged || ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+    const bool flicked = input.released && glm::length(input.movedPx) > kFlickPx;
+    cubePress_->dragged =
+        cubePress_->dragged || flicked || ImGui::IsMouseDragging(ImGuiMouseButton_Left);
     if (cubePress_->dragged) {
         camera.orbit(input.movedPx);
     } else if (input.released && cubePress_->part) {
