@@ -256,7 +256,10 @@ void VoxelView::drawMarked(Frame& frame, const GpuOctree& octree, const Palette&
     frame.bind();
     for (const bool hidden : {true, false}) {
         Ghost look = ghost;
-        if (hidden) look.tint.w *= kHidden;
+        if (hidden) {
+            look.tint.w *= kHidden;
+            look.outlinePx = 0.0f;
+        }
         impl_->setView(octree, placed, camera, flat, look);
         impl_->drawVoxels(octree, palette, space, flat,
                           {.depthTest = hidden ? gl::DepthTest::behind : gl::DepthTest::nearer,

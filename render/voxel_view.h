@@ -45,7 +45,8 @@ class VoxelView {
                    const PlacedEntity& placed, const Camera& camera,
                    const VoxelViewOptions& options, Rgba8 tint);
     // Voxels of the model that are selected: covered by the tint (its alpha says how much), with a
-    // dashed line around them at `scale` device pixels a pixel; faint where they are hidden.
+    // dashed line around them at `scale` device pixels a pixel. Where something hides them, a
+    // faint tint alone.
     void drawMarked(Frame& frame, const GpuOctree& octree, const Palette& palette,
                     const PlacedEntity& placed, const Camera& camera, Rgba8 tint, float scale);
 

@@ -109,7 +109,10 @@ void VoxelViewport::show(Ui& ui, ImVec2 min, ImVec2 size, std::string& refusal) 
     drawSocketsOverVoxels(ui, ViewDrawing(canvas_, camera));
     tools_.draw(context, ViewDrawing(canvas_, camera), ui.theme);
     canvas_.drawViewCube(ui, camera_);
-    canvas_.caption(ui, "Edit", hintOf(ui.settings.tool, context.mode(), tools_.busy()));
+    std::string hint = hintOf(ui.settings.tool, context.mode(), tools_.busy());
+    const auto& floating = ui.session.selection().floating();
+    if (floating) hint = floating->label + ": " + hint;
+    canvas_.caption(ui, "Edit", hint);
     canvas_.end();
 }
 
