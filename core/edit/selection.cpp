@@ -109,9 +109,8 @@ VoxelSet selectIf(const VoxelGrid& voxels, const std::function<bool(glm::ivec3 v
 
 VoxelSet selectInside(const VoxelGrid& voxels, std::span<const HalfSpace> sides) {
     VoxelSet set;
-    voxels.forEachBlock([&](const VoxelBlock& block) {
-        selectInBlock(voxels, sides, boxOf(block), set);
-    });
+    voxels.forEachBlock(
+        [&](const VoxelBlock& block) { selectInBlock(voxels, sides, boxOf(block), set); });
     return set;
 }
 
