@@ -69,7 +69,13 @@ ViewInput ViewCanvas::begin(Ui& ui, const char* name, ImVec2 min, ImVec2 size) {
         }
     }
     input.drag = drag_;
-    input.movedPx = {static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)};
+    // A frame ends with the press of a button: what was moved in it came before.
+    const bool pressedNow =
+        ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
+    if (!pressedNow) {
+        input.movedPx = {static_cast<double>(io.MouseDelta.x),
+                         static_cast<double>(io.MouseDelta.y)};
+    }
     input.moving = drag_ != CameraMove::none;
     input.pressed = active && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !input.moving;
     if (input.pressed) pressedHere_ = true;
