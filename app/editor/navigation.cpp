@@ -10,9 +10,7 @@ constexpr int kLeft = 0, kRight = 1, kMiddle = 2;
 CameraMove moveByDrag(NavigationPreset preset, int button, const HeldKeys& keys) {
     if (button == kLeft) {
         if (!keys.space) return CameraMove::none;
-        return keys.control ? CameraMove::zoom
-               : keys.shift ? CameraMove::orbit
-                            : CameraMove::pan;
+        return keys.control ? CameraMove::zoom : keys.shift ? CameraMove::orbit : CameraMove::pan;
     }
     switch (preset) {
         case NavigationPreset::magicaVoxel:

@@ -93,11 +93,10 @@ std::optional<std::filesystem::path> drawMenuBar(Ui& ui) {
         MenuId id;
         const char* title;
     };
-    constexpr Entry kMenus[] = {{MenuId::file, "File"},     {MenuId::edit, "Edit"},
-                                {MenuId::select, "Select"},
-                                {MenuId::object, "Object"}, {MenuId::animation, "Animation"},
-                                {MenuId::tool, "Tools"},    {MenuId::palette, "Palette"},
-                                {MenuId::view, "View"},     {MenuId::help, "Help"}};
+    constexpr Entry kMenus[] = {
+        {MenuId::file, "File"},       {MenuId::edit, "Edit"},           {MenuId::select, "Select"},
+        {MenuId::object, "Object"},   {MenuId::animation, "Animation"}, {MenuId::tool, "Tools"},
+        {MenuId::palette, "Palette"}, {MenuId::view, "View"},           {MenuId::help, "Help"}};
     std::optional<std::filesystem::path> chosen;
     if (!ImGui::BeginMenuBar()) return chosen;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ui.theme.px(8, 8));
