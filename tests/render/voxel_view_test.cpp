@@ -256,6 +256,33 @@ TEST_F(VoxelViews, TheSunsShadowFallsWhereAMarchTowardItIsStopped) {
     EXPECT_LE(wrong, 25);
 }
 
+TEST_F(VoxelViews, TheModelsShadowFallsOnTheGround) {
+    const GpuModel model(test::solidBox({4, 4, 16}, 40));
+    const PlacedEntity placed = model.placedAt({0, 0, 0}, GameProfile{});
+    VoxelViewOptions options = plain();
+    options.light.towardLight = {1.0, 1.0, 0.2};
+    VoxelView view = must(VoxelView::create());
+    Frame frame(kViewport);
+    const Camera eye = camera(placed, {0, 50, 0}, 4.0);
+    view.draw(frame, model.gpu, model.palette, placed, eye, options);
+    const Image bright = frame.readColour();
+    options.shadow = true;
+    view.draw(frame, model.gpu, model.palette, placed, eye, options);
+    const Image shaded = frame.readColour();
+    const std::vector<float> depth = frame.readDepth();
+    // The sun is on the right: the shadow lies on the left of the model's middle, all of it.
+    int left = 0, right = 0;
+    for (int y = 0; y < kViewport.y; ++y) {
+        for (int x = 0; x < kViewport.x; ++x) {
+            if (depth[static_cast<std::size_t>(y * kViewport.x + x)] != 0.0f) continue;
+            const bool darker = shaded.at(x, y).y < bright.at(x, y).y;
+            (x < kViewport.x / 2 ? left : right) += darker;
+        }
+    }
+    EXPECT_GT(left, 200);
+    EXPECT_EQ(right, 0);
+}
+
 TEST_F(VoxelViews, CornersBetweenVoxelsAreShaded) {
     // A floor with a wall on it: shade along the foot of the wall, none in the open.
     VoxelGrid voxels = test::solidBox({16, 16, 1}, 40);
