@@ -9,10 +9,13 @@ bool beginDialog(Ui& ui, const char* id, const char* title, float width, float h
     if (!ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float air = ui.theme.px(32);
-    ImGui::SetNextWindowPos({std::round(display.x * 0.5f), std::round(display.y * 0.46f)},
-                            ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({std::min(ui.theme.px(width), display.x - air),
-                              std::min(ui.theme.px(height), display.y - air)});
+    const ImVec2 size(std::min(ui.theme.px(width), display.x - air),
+                      std::min(ui.theme.px(height), display.y - air));
+    // Above the middle, but for what is too high for that.
+    const float middle = std::max(display.y * 0.46f, (size.y + air) * 0.5f);
+    ImGui::SetNextWindowPos({std::round(display.x * 0.5f), std::round(middle)}, ImGuiCond_Always,
+                            {0.5f, 0.5f});
+    ImGui::SetNextWindowSize(size);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ui.theme.px(24, 20));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.theme.px(10));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ui.theme.px(8, 8));
