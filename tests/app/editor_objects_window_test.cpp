@@ -41,9 +41,12 @@ class ObjectsInAWindow : public EditorWindow {
     // The document once this many steps are in force.
     void made(const std::string& what, int count) {
         await(what, [&](const Json& now) { return now.at("state").at("steps") == count; });
+        // Files are written behind the window, and come into their place whole.
+        std::filesystem::remove(path());
         key("ctrl+s");
-        await(what + " to be saved",
-              [](const Json& now) { return now.at("state").at("unsaved") == false; });
+        await(what + " to be saved", [&](const Json& now) {
+            return now.at("state").at("unsaved") == false && std::filesystem::exists(path());
+        });
         Result<LoadedDocument> loaded = loadDocument(path());
         ASSERT_TRUE(loaded) << loaded.error().describe();
         document = std::move(loaded->document);
@@ -85,9 +88,7 @@ TEST_F(ObjectsInAWindow, AreEditedAsTheListShowsThemAndUndone) {
 
     // Two into a group, the third dragged after it, then into it.
     click(centreOf("object.1"));
-    keyDown("ctrl");
-    click(centreOf("object.2"));
-    keyUp("ctrl");
+    clickWith("ctrl", centreOf("object.2"));
     key("ctrl+g");
     ASSERT_NO_FATAL_FAILURE(made("grouped", 5));
     EXPECT_EQ(node(4).name, "Group");

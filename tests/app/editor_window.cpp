@@ -197,19 +197,29 @@ void EditorWindow::drag(glm::ivec2 from, glm::ivec2 to, int button) {
     xdotool("mouseup " + std::to_string(button));
 }
 
+void EditorWindow::settleAt(glm::ivec2 at) {
+    moveTo(at);
+    await("the pointer at its place", [&](const nlohmann::json& now) {
+        const nlohmann::json& pointer = now.at("state").at("pointer");
+        return pointer.at(0) == at.x && pointer.at(1) == at.y;
+    });
+}
+
 void EditorWindow::carry(glm::ivec2 from, glm::ivec2 to) {
-    const auto settle = [&](glm::ivec2 px) {
-        moveTo(px);
-        await("the pointer at its place", [&](const nlohmann::json& now) {
-            const nlohmann::json& at = now.at("state").at("pointer");
-            return at.at(0) == px.x && at.at(1) == px.y;
-        });
-        std::this_thread::sleep_for(3 * kBetweenLooks);
-    };
-    settle(from);
+    settleAt(from);
     xdotool("mousedown 1");
-    for (int i = 1; i <= 4; ++i) settle(from + (to - from) * i / 4);
+    settleAt(from + glm::ivec2(0, 1));
+    for (int i = 1; i <= 4; ++i) settleAt(from + (to - from) * i / 4);
+    settleAt(to + glm::ivec2(1, 0));  // a frame in which it lies there
     xdotool("mouseup 1");
+}
+
+void EditorWindow::clickWith(const std::string& modifier, glm::ivec2 at) {
+    keyDown(modifier);
+    settleAt(at + glm::ivec2(1, 0));
+    click(at);
+    settleAt(at + glm::ivec2(1, 0));
+    keyUp(modifier);
 }
 
 void EditorWindow::key(const std::string& chord) {

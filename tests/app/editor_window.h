@@ -56,8 +56,12 @@ class EditorWindow : public testing::Test {
     void moveTo(glm::ivec2 at);
     void click(glm::ivec2 at, int button = 1);
     void drag(glm::ivec2 from, glm::ivec2 to, int button = 1);
-    // Waits until the program has seen each step: what is carried is seen over what lies below.
+    // Waits until the program has seen the pointer there, and so all that was done before.
+    void settleAt(glm::ivec2 at);
+    // Each step is seen: what is carried is seen over what lies below.
     void carry(glm::ivec2 from, glm::ivec2 to);
+    // With a modifier held, such as "ctrl".
+    void clickWith(const std::string& modifier, glm::ivec2 at);
     void key(const std::string& chord);
     void keyDown(const std::string& name);
     void keyUp(const std::string& name);
