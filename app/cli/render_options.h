@@ -22,7 +22,7 @@ struct RenderOptions {
     std::string input;
     std::optional<std::string> output;  // the picture
     std::optional<std::string> buffer;  // the bare sprite buffer
-    std::optional<RenderMode> mode;  // else the profile's
+    std::optional<RenderMode> mode;     // else the profile's
     Backend backend = Backend::cpu;
     std::optional<int> model;
     int frame = 0;

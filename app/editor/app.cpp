@@ -6,13 +6,13 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "app/editor/panel_area.h"
+#include "app/editor/panels/panel_area.h"
 #include "app/editor/panels/panels.h"
 #include "app/editor/panels/split_bars.h"
 #include "app/editor/panels/timeline.h"
 #include "app/editor/panels/tool_options.h"
-#include "app/editor/widgets.h"
-#include "app/editor/window.h"
+#include "app/editor/panels/widgets.h"
+#include "app/editor/window/window.h"
 #include "core/io/profile_json.h"
 
 namespace voxprite::editor {

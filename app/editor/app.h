@@ -7,18 +7,18 @@
 #include <optional>
 #include <vector>
 
-#include "app/editor/file_flow.h"
-#include "app/editor/input.h"
-#include "app/editor/layout.h"
-#include "app/editor/object_selection.h"
-#include "app/editor/overlays.h"
+#include "app/editor/panels/layout.h"
+#include "app/editor/panels/overlays.h"
 #include "app/editor/panels/palette_panel.h"
-#include "app/editor/playback.h"
+#include "app/editor/panels/toasts.h"
 #include "app/editor/recovery/autosave.h"
 #include "app/editor/recovery/recovery_dialog.h"
-#include "app/editor/sprite_viewport.h"
-#include "app/editor/toasts.h"
-#include "app/editor/voxel_viewport.h"
+#include "app/editor/session/file_flow.h"
+#include "app/editor/session/object_selection.h"
+#include "app/editor/session/playback.h"
+#include "app/editor/views/sprite_viewport.h"
+#include "app/editor/views/voxel_viewport.h"
+#include "app/editor/window/input.h"
 
 namespace voxprite::editor {
 

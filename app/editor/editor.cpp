@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "app/editor/app.h"
-#include "app/editor/imgui_host.h"
-#include "app/editor/play_script.h"
+#include "app/editor/window/imgui_host.h"
+#include "app/editor/window/play_script.h"
 #include "core/base/file.h"
 #include "core/io/png.h"
 

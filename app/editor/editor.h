@@ -23,8 +23,8 @@ struct EditorOptions {
     // JSON lines of input, replayed instead of the user's (see play_script.h).
     std::optional<std::filesystem::path> playScript;
     std::optional<std::filesystem::path> record;  // the user's input is written here
-    // Unsaved work is copied into this folder; not set: the user's own (recovery_folder.h), and none
-    // for a run that takes a screenshot or replays a script.
+    // Unsaved work is copied into this folder; not set: the user's own (recovery_folder.h), and
+    // none for a run that takes a screenshot or replays a script.
     std::optional<std::filesystem::path> recovery;
     // Where widgets and views lie on screen is written here whenever it changes, for tests.
     std::optional<std::filesystem::path> layoutDump;

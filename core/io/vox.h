@@ -58,9 +58,10 @@ struct VoxImport {
 //
 // Reads back equal if every model has a canvas of at most 256 on an edge that holds its voxels and
 // starts at -floor(size / 2), as all documents from .vox files have, except for what .vox has no
-// words for: clips, sockets, the entity's settings, authored values, ids of render settings. A canvas that
-// does not fit is replaced by the smallest that does; models too large or too far from their origin
-// for one are split into cubes of 256 under a group. All frames of the entity stay the same.
+// words for: clips, sockets, the entity's settings, authored values, ids of render settings. A
+// canvas that does not fit is replaced by the smallest that does; models too large or too far from
+// their origin for one are split into cubes of 256 under a group. All frames of the entity stay the
+// same.
 //
 // Fails on an invalid document, on more than 1024 layers, nesting too deep to be read again, and
 // more voxels than a file can hold.

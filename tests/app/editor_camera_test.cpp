@@ -6,11 +6,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/editor/camera_bookmarks.h"
-#include "app/editor/camera_turn.h"
-#include "app/editor/navigation.h"
-#include "app/editor/view_canvas.h"
-#include "app/editor/view_cube.h"
+#include "app/editor/views/camera_bookmarks.h"
+#include "app/editor/views/camera_turn.h"
+#include "app/editor/views/navigation.h"
+#include "app/editor/views/view_canvas.h"
+#include "app/editor/views/view_cube.h"
 #include "tests/support/random.h"
 
 namespace voxprite::editor {

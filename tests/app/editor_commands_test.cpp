@@ -3,10 +3,10 @@
 
 #include <set>
 
-#include "app/editor/commands.h"
-#include "app/editor/fuzzy.h"
-#include "app/editor/input.h"
+#include "app/editor/commands/commands.h"
+#include "app/editor/commands/fuzzy.h"
 #include "app/editor/panels/command_palette.h"
+#include "app/editor/window/input.h"
 #include "tests/support/random.h"
 
 namespace voxprite::editor {

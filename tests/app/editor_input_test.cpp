@@ -2,9 +2,9 @@
 
 #include <fstream>
 
-#include "app/editor/input.h"
-#include "app/editor/play_script.h"
-#include "app/editor/settings.h"
+#include "app/editor/settings/settings.h"
+#include "app/editor/window/input.h"
+#include "app/editor/window/play_script.h"
 #include "tests/support/temporary_folder.h"
 
 namespace voxprite::editor {

@@ -4,8 +4,8 @@
 #include <atomic>
 #include <thread>
 
-#include "app/editor/background_job.h"
-#include "app/editor/session.h"
+#include "app/editor/session/background_job.h"
+#include "app/editor/session/session.h"
 #include "core/edit/patches.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/voxels.h"

@@ -1,8 +1,8 @@
 // The list of objects, the sockets' tool and playing, without a window.
 #include <gmock/gmock.h>
 
-#include "app/editor/object_selection.h"
-#include "app/editor/playback.h"
+#include "app/editor/session/object_selection.h"
+#include "app/editor/session/playback.h"
 #include "core/edit/frame_edits.h"
 #include "core/edit/scene_edits.h"
 #include "core/edit/socket_edits.h"

@@ -83,6 +83,8 @@ TEST_F(ObjectsInAWindow, AreEditedAsTheListShowsThemAndUndone) {
     static_cast<void>(centreOf("name.typed"));
     type("tail");
     key("Return");
+    await("the end of typing",
+          [](const Json& now) { return !now.at("items").contains("name.typed"); });
     ASSERT_NO_FATAL_FAILURE(made("renamed", 4));
     EXPECT_EQ(node(3).name, "tail");
 

@@ -2,7 +2,7 @@
 // be with the patches in it, and never touches the document's own.
 #include <gtest/gtest.h>
 
-#include "app/editor/session.h"
+#include "app/editor/session/session.h"
 #include "core/edit/make_action.h"
 #include "core/edit/patches.h"
 #include "core/edit/scene_edits.h"

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/editor/scene_copies.h"
-#include "app/editor/sprite_picture.h"
+#include "app/editor/views/scene_copies.h"
+#include "app/editor/views/sprite_picture.h"
 #include "core/edit/make_action.h"
 #include "core/io/formats.h"
 #include "core/sprite/camera.h"

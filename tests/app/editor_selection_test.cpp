@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include "app/editor/selection_edits.h"
+#include "app/editor/session/selection_edits.h"
 #include "core/edit/scene_edits.h"
 #include "core/model/voxel_grid.h"
 #include "tests/app/tool_hand.h"

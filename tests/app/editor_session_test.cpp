@@ -1,5 +1,5 @@
 // The session without a window: whatever is done to it, what is derived agrees with the document.
-#include "app/editor/session.h"
+#include "app/editor/session/session.h"
 
 #include <gtest/gtest.h>
 

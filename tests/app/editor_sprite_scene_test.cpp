@@ -1,5 +1,5 @@
 // The scene that the sprite view draws: who is in it, and with whose voxels.
-#include "app/editor/sprite_scene.h"
+#include "app/editor/views/sprite_scene.h"
 
 #include <algorithm>
 #include <set>

@@ -6,9 +6,9 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "app/editor/gizmo.h"
-#include "app/editor/layout.h"
-#include "app/editor/orbit_camera.h"
+#include "app/editor/panels/layout.h"
+#include "app/editor/views/gizmo.h"
+#include "app/editor/views/orbit_camera.h"
 #include "tests/support/random.h"
 
 namespace voxprite::editor {

@@ -1,9 +1,9 @@
 // Choosing and editing colours, as the palette's commands and panel do.
-#include "app/editor/palette_editor.h"
+#include "app/editor/panels/palette_editor.h"
 
 #include <gtest/gtest.h>
 
-#include "app/editor/variant_pictures.h"
+#include "app/editor/views/variant_pictures.h"
 #include "core/io/formats.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/voxels.h"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/orbit_camera.h"
 #include "app/editor/tools/tool_box.h"
+#include "app/editor/views/orbit_camera.h"
 #include "core/edit/make_action.h"
 #include "core/model/entity_voxels.h"
 #include "core/sprite/camera.h"

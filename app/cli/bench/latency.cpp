@@ -7,7 +7,7 @@
 #include <chrono>
 
 #include "app/cli/bench/bench.h"
-#include "app/editor/session.h"
+#include "app/editor/session/session.h"
 #include "app/editor/tools/tool_box.h"
 #include "core/edit/make_action.h"
 #include "render/frame.h"

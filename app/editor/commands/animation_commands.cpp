@@ -3,10 +3,10 @@
 
 #include <utility>
 
-#include "app/editor/command_context.h"
+#include "app/editor/commands/command_context.h"
 #include "app/editor/commands/tables.h"
-#include "app/editor/icons.h"
-#include "app/editor/playback.h"
+#include "app/editor/session/playback.h"
+#include "app/editor/window/icons.h"
 #include "core/edit/frame_edits.h"
 
 namespace voxprite::editor {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "app/editor/command_context.h"
+#include "app/editor/commands/command_context.h"
 #include "app/editor/commands/tables.h"
-#include "app/editor/icons.h"
-#include "app/editor/object_selection.h"
+#include "app/editor/session/object_selection.h"
+#include "app/editor/window/icons.h"
 #include "core/edit/free_name.h"
 #include "core/edit/scene_edits.h"
 

@@ -1,12 +1,12 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "app/editor/command_context.h"
+#include "app/editor/commands/command_context.h"
 #include "app/editor/commands/tables.h"
-#include "app/editor/file_flow.h"
-#include "app/editor/icons.h"
-#include "app/editor/palette_editor.h"
-#include "app/editor/toasts.h"
+#include "app/editor/panels/palette_editor.h"
+#include "app/editor/panels/toasts.h"
+#include "app/editor/session/file_flow.h"
+#include "app/editor/window/icons.h"
 #include "core/io/palette_files.h"
 
 namespace voxprite::editor {

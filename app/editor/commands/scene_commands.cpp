@@ -1,8 +1,8 @@
-#include "app/editor/command_context.h"
+#include "app/editor/commands/command_context.h"
 #include "app/editor/commands/tables.h"
-#include "app/editor/file_flow.h"
-#include "app/editor/icons.h"
-#include "app/editor/sprite_viewport.h"
+#include "app/editor/session/file_flow.h"
+#include "app/editor/views/sprite_viewport.h"
+#include "app/editor/window/icons.h"
 #include "core/edit/make_action.h"
 
 namespace voxprite::editor {

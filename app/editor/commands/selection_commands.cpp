@@ -3,12 +3,12 @@
 
 #include <cmath>
 
-#include "app/editor/command_context.h"
+#include "app/editor/commands/command_context.h"
 #include "app/editor/commands/tables.h"
-#include "app/editor/icons.h"
-#include "app/editor/object_selection.h"
-#include "app/editor/selection_edits.h"
-#include "app/editor/voxel_viewport.h"
+#include "app/editor/session/object_selection.h"
+#include "app/editor/session/selection_edits.h"
+#include "app/editor/views/voxel_viewport.h"
+#include "app/editor/window/icons.h"
 #include "core/edit/reshape.h"
 
 namespace voxprite::editor {

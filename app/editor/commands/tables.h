@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "app/editor/commands.h"
+#include "app/editor/commands/commands.h"
 
 namespace voxprite::editor {
 

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "app/editor/command_context.h"
+#include "app/editor/commands/command_context.h"
 #include "app/editor/commands/tables.h"
-#include "app/editor/icons.h"
 #include "app/editor/tools/guides.h"
-#include "app/editor/voxel_viewport.h"
+#include "app/editor/views/voxel_viewport.h"
+#include "app/editor/window/icons.h"
 
 namespace voxprite::editor {
 namespace {

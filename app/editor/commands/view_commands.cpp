@@ -1,12 +1,12 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "app/editor/command_context.h"
+#include "app/editor/commands/command_context.h"
 #include "app/editor/commands/tables.h"
-#include "app/editor/icons.h"
-#include "app/editor/overlays.h"
-#include "app/editor/sprite_viewport.h"
-#include "app/editor/voxel_viewport.h"
+#include "app/editor/panels/overlays.h"
+#include "app/editor/views/sprite_viewport.h"
+#include "app/editor/views/voxel_viewport.h"
+#include "app/editor/window/icons.h"
 
 namespace voxprite::editor {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "app/editor/command_context.h"
-#include "app/editor/icons.h"
+#include "app/editor/commands/command_context.h"
 #include "app/editor/panels/timeline.h"
-#include "app/editor/playback.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
+#include "app/editor/session/playback.h"
+#include "app/editor/window/icons.h"
 #include "core/edit/frame_edits.h"
 
 namespace voxprite::editor {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "app/editor/fuzzy.h"
+#include "app/editor/commands/fuzzy.h"
 #include "app/editor/panels/dialog_frame.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
 
 namespace voxprite::editor {
 namespace {

@@ -1,7 +1,7 @@
 // The look that all dialogs share: a card in the middle of the window, everything else dimmed.
 #pragma once
 
-#include "app/editor/ui.h"
+#include "app/editor/panels/ui.h"
 
 namespace voxprite::editor {
 

@@ -1,7 +1,7 @@
 #include "app/editor/panels/dialogs.h"
 
 #include "app/editor/panels/dialog_frame.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
 
 namespace voxprite::editor {
 std::string Dialogs::openName() const {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/ui.h"
+#include "app/editor/panels/ui.h"
 
 namespace voxprite::editor {
 

@@ -1,9 +1,9 @@
 // The tabs of the lists below the inspector; they stay when the lists are folded.
 #include <array>
 
-#include "app/editor/icons.h"
 #include "app/editor/panels/panels.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
+#include "app/editor/window/icons.h"
 
 namespace voxprite::editor {
 namespace {

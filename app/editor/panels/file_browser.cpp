@@ -9,8 +9,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/editor/icons.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
+#include "app/editor/window/icons.h"
 
 namespace voxprite::editor {
 namespace {

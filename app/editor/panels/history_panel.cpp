@@ -1,7 +1,7 @@
 // The steps that can be undone and redone, newest at the bottom; a click goes there.
-#include "app/editor/number_text.h"
+#include "app/editor/panels/number_text.h"
 #include "app/editor/panels/panels.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
 
 namespace voxprite::editor {
 

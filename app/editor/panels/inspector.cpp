@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/editor/icons.h"
 #include "app/editor/panels/panels.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
+#include "app/editor/window/icons.h"
 #include "core/model/entity_voxels.h"
 
 namespace voxprite::editor {

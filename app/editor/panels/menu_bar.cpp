@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/icons.h"
 #include "app/editor/panels/dialog_frame.h"
 #include "app/editor/panels/panels.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
+#include "app/editor/window/icons.h"
 
 namespace voxprite::editor {
 namespace {

@@ -7,11 +7,11 @@
 #include <array>
 #include <cmath>
 
-#include "app/editor/command_context.h"
-#include "app/editor/icons.h"
-#include "app/editor/object_selection.h"
+#include "app/editor/commands/command_context.h"
 #include "app/editor/panels/panels.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
+#include "app/editor/session/object_selection.h"
+#include "app/editor/window/icons.h"
 #include "core/edit/scene_edits.h"
 #include "core/edit/socket_edits.h"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/editor/ui.h"
+#include "app/editor/panels/ui.h"
 
 namespace voxprite::editor {
 

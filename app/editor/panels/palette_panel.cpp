@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/icons.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
+#include "app/editor/window/icons.h"
 #include "core/base/oklab.h"
 
 namespace voxprite::editor {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "app/editor/palette_editor.h"
-#include "app/editor/ui.h"
-#include "app/editor/variant_pictures.h"
+#include "app/editor/panels/palette_editor.h"
+#include "app/editor/panels/ui.h"
+#include "app/editor/views/variant_pictures.h"
 
 namespace voxprite::editor {
 

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/icons.h"
-#include "app/editor/number_text.h"
+#include "app/editor/panels/number_text.h"
 #include "app/editor/panels/palette_panel.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
+#include "app/editor/window/icons.h"
 
 namespace voxprite::editor {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/icons.h"
 #include "app/editor/panels/palette_panel.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
+#include "app/editor/window/icons.h"
 
 namespace voxprite::editor {
 namespace {

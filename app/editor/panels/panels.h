@@ -1,7 +1,7 @@
 // The panels around the views. Each draws into the current ImGui window.
 #pragma once
 
-#include "app/editor/ui.h"
+#include "app/editor/panels/ui.h"
 
 namespace voxprite::editor {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "app/editor/icons.h"
-#include "app/editor/input.h"
 #include "app/editor/panels/dialog_frame.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
+#include "app/editor/window/icons.h"
+#include "app/editor/window/input.h"
 
 namespace voxprite::editor {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/editor/ui.h"
+#include "app/editor/panels/ui.h"
 
 namespace voxprite::editor {
 

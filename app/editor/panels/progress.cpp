@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
 
 namespace voxprite::editor {
 namespace {

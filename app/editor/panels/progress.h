@@ -1,8 +1,8 @@
 // What goes on behind the window, and a way to stop it.
 #pragma once
 
-#include "app/editor/background_job.h"
-#include "app/editor/ui.h"
+#include "app/editor/panels/ui.h"
+#include "app/editor/session/background_job.h"
 
 namespace voxprite::editor {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "app/editor/icons.h"
 #include "app/editor/panels/dialog_frame.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
+#include "app/editor/window/icons.h"
 
 namespace voxprite::editor {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <optional>
 
-#include "app/editor/camera_bookmarks.h"
-#include "app/editor/ui.h"
+#include "app/editor/panels/ui.h"
+#include "app/editor/views/camera_bookmarks.h"
 
 namespace voxprite::editor {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/editor/icons.h"
-#include "app/editor/number_text.h"
+#include "app/editor/panels/number_text.h"
 #include "app/editor/panels/panels.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
+#include "app/editor/window/icons.h"
 
 namespace voxprite::editor {
 namespace {

@@ -1,11 +1,11 @@
 // The sockets, below the objects.
 #include <imgui.h>
 
-#include "app/editor/command_context.h"
-#include "app/editor/icons.h"
-#include "app/editor/object_selection.h"
+#include "app/editor/commands/command_context.h"
 #include "app/editor/panels/objects.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
+#include "app/editor/session/object_selection.h"
+#include "app/editor/window/icons.h"
 #include "core/edit/socket_edits.h"
 
 namespace voxprite::editor {

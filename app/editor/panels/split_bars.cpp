@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/editor/panel_area.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/panel_area.h"
+#include "app/editor/panels/widgets.h"
 
 namespace voxprite::editor {
 namespace {

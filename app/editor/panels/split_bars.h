@@ -2,8 +2,8 @@
 // them.
 #pragma once
 
-#include "app/editor/layout.h"
-#include "app/editor/ui.h"
+#include "app/editor/panels/layout.h"
+#include "app/editor/panels/ui.h"
 
 namespace voxprite::editor {
 

@@ -3,9 +3,9 @@
 #include <cstdarg>
 #include <cstdio>
 
-#include "app/editor/number_text.h"
+#include "app/editor/panels/number_text.h"
 #include "app/editor/panels/panels.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
 
 namespace voxprite::editor {
 namespace {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/editor/command_context.h"
-#include "app/editor/icons.h"
-#include "app/editor/playback.h"
-#include "app/editor/widgets.h"
+#include "app/editor/commands/command_context.h"
+#include "app/editor/panels/widgets.h"
+#include "app/editor/session/playback.h"
+#include "app/editor/window/icons.h"
 #include "core/edit/frame_edits.h"
 
 namespace voxprite::editor {

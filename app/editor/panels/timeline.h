@@ -1,7 +1,7 @@
 // The animation, below both views: its frames, its clips, and what plays.
 #pragma once
 
-#include "app/editor/ui.h"
+#include "app/editor/panels/ui.h"
 
 namespace voxprite::editor {
 

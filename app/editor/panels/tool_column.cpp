@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/editor/panels/panels.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
 
 namespace voxprite::editor {
 namespace {

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "app/editor/icons.h"
-#include "app/editor/number_text.h"
+#include "app/editor/panels/number_text.h"
+#include "app/editor/panels/widgets.h"
 #include "app/editor/tools/guides.h"
-#include "app/editor/widgets.h"
+#include "app/editor/window/icons.h"
 
 namespace voxprite::editor {
 namespace {

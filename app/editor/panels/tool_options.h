@@ -2,8 +2,8 @@
 // what holds for all tools: mirrors and limits.
 #pragma once
 
+#include "app/editor/panels/ui.h"
 #include "app/editor/tools/tool.h"
-#include "app/editor/ui.h"
 
 namespace voxprite::editor {
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "app/editor/panels/dialog_frame.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/widgets.h"
 
 namespace voxprite::editor {
 namespace {

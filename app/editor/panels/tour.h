@@ -1,8 +1,8 @@
 // The window explained on one screen: shown at the first start, and again from the Help menu.
 #pragma once
 
-#include "app/editor/layout.h"
-#include "app/editor/ui.h"
+#include "app/editor/panels/layout.h"
+#include "app/editor/panels/ui.h"
 
 namespace voxprite::editor {
 

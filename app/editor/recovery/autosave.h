@@ -9,9 +9,9 @@
 
 #include <optional>
 
-#include "app/editor/background_job.h"
 #include "app/editor/recovery/recovery_folder.h"
-#include "app/editor/session.h"
+#include "app/editor/session/background_job.h"
+#include "app/editor/session/session.h"
 
 namespace voxprite::editor {
 

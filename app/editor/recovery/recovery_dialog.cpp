@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <chrono>
 
-#include "app/editor/number_text.h"
 #include "app/editor/panels/dialog_frame.h"
-#include "app/editor/widgets.h"
+#include "app/editor/panels/number_text.h"
+#include "app/editor/panels/widgets.h"
 #include "core/io/png.h"
 
 namespace voxprite::editor {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/editor/panels/ui.h"
 #include "app/editor/recovery/recovery_folder.h"
-#include "app/editor/ui.h"
 #include "render/picture_texture.h"
 
 namespace voxprite::editor {

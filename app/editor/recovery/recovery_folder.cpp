@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/editor/small_sprite.h"
+#include "app/editor/views/small_sprite.h"
 #include "core/base/file.h"
 #include "core/io/formats.h"
 #include "core/io/json_text.h"

@@ -6,9 +6,9 @@
 #include <optional>
 #include <span>
 
-#include "app/editor/picking.h"
-#include "app/editor/session.h"
-#include "app/editor/settings.h"
+#include "app/editor/session/session.h"
+#include "app/editor/settings/settings.h"
+#include "app/editor/views/picking.h"
 #include "core/edit/patches.h"
 
 namespace voxprite::editor {

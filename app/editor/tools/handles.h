@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "app/editor/view_drawing.h"
+#include "app/editor/views/view_drawing.h"
 #include "core/sprite/camera.h"
 
 namespace voxprite::editor {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/editor/selection_edits.h"
+#include "app/editor/session/selection_edits.h"
 #include "app/editor/tools/tool_marks.h"
 
 namespace voxprite::editor {

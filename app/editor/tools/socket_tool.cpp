@@ -1,7 +1,7 @@
 #include "app/editor/tools/socket_tool.h"
 
-#include "app/editor/socket_markers.h"
 #include "app/editor/tools/tool_marks.h"
+#include "app/editor/views/socket_markers.h"
 #include "core/edit/socket_edits.h"
 
 namespace voxprite::editor {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/picking.h"
-#include "app/editor/session.h"
-#include "app/editor/settings.h"
+#include "app/editor/session/session.h"
+#include "app/editor/settings/settings.h"
+#include "app/editor/views/picking.h"
 #include "core/edit/history.h"
 #include "core/sprite/camera.h"
 

@@ -1,9 +1,9 @@
 // Marks that tools draw over the edit view, the same for all of them.
 #pragma once
 
-#include "app/editor/picking.h"
-#include "app/editor/theme.h"
-#include "app/editor/view_drawing.h"
+#include "app/editor/views/picking.h"
+#include "app/editor/views/view_drawing.h"
+#include "app/editor/window/theme.h"
 #include "core/edit/patches.h"
 
 namespace voxprite::editor {

@@ -1,0 +1,27 @@
+#include "app/editor/panels/number_text.h"
+
+#include <array>
+#include <cstdio>
+
+namespace voxprite::editor {
+
+std::string grouped(std::uint64_t number) {
+    const std::string digits = std::to_string(number);
+    std::string text;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+        text += digits[i];
+    }
+    return text;
+}
+
+std::string byteText(std::uint64_t bytes) {
+    if (bytes < 1024) return std::to_string(bytes) + " B";
+    const double kib = static_cast<double>(bytes) / 1024.0;
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), kib < 1024.0 ? "%.1f KiB" : "%.1f MiB",
+                  kib < 1024.0 ? kib : kib / 1024.0);
+    return text.data();
+}
+
+}  // namespace voxprite::editor

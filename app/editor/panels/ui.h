@@ -1,0 +1,65 @@
+// What a panel is given: the document to show, settings to edit, and where to put what it wants
+// done. A panel changes nothing but settings; edits of the document leave it as actions.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/editor/commands/commands.h"
+#include "app/editor/session/session.h"
+#include "app/editor/settings/settings.h"
+#include "app/editor/views/scene_figures.h"
+#include "app/editor/window/layout_probe.h"
+#include "app/editor/window/theme.h"
+#include "core/edit/make_action.h"
+
+namespace voxprite::editor {
+
+// Actions on their way to the session. All that come from one drag of a widget carry one key.
+class EditQueue {
+  public:
+    // Call after every widget that can be dragged: a new drag starts a new step.
+    void watchItem(Session& session) {
+        if (ImGui::IsItemActivated() || key_ == 0) key_ = session.newMergeKey();
+    }
+    template <class Part>
+    void push(std::string label, Part part, bool merge = true) {
+        actions_.push_back(makeAction(std::move(label), std::move(part), merge ? key_ : 0));
+    }
+    void push(Action action) { actions_.push_back(std::move(action)); }
+    // Of the drag that is going on.
+    [[nodiscard]] std::uint64_t key() const { return key_; }
+    [[nodiscard]] std::vector<Action> take() { return std::exchange(actions_, {}); }
+
+  private:
+    std::vector<Action> actions_;
+    std::uint64_t key_ = 0;
+};
+
+// What only the views know, for the status bar.
+struct ViewFigures {
+    double sigmaInForce = 0.0;  // 0: no sprite is drawn
+    double screenPxPerPx = 0.0;
+    std::optional<glm::ivec3> hovered;  // voxel, entity space
+    std::optional<double> editMilliseconds;
+    SceneFigures scene;
+    std::string strokeSize;  // "12 × 5 × 1" while a box is drawn
+};
+
+struct Ui {
+    const Theme& theme;
+    Session& session;
+    EditorSettings& settings;
+    EditQueue& edits;
+    CommandQueue& commands;
+    const CommandContext& context;  // for what state a command is in
+    LayoutProbe& probe;
+    ViewFigures& figures;
+    // Where the pointer went since the last frame, from where it was then; window pixels.
+    std::span<const glm::dvec2> pointerPath;
+};
+
+}  // namespace voxprite::editor

@@ -1,0 +1,244 @@
+#include "app/editor/session/file_flow.h"
+
+#include "app/editor/panels/progress.h"
+#include "app/editor/panels/toasts.h"
+#include "core/io/formats.h"
+
+namespace voxprite::editor {
+namespace {
+
+const std::vector<std::string> kModelExtensions{".voxprite", ".vox", ".svo"};
+const std::vector<std::string> kProfileExtensions{".json"};
+constexpr double kProgressAfterSeconds = 0.25;
+
+std::string stemOf(const Session& session) {
+    return session.path() ? session.title() : "untitled";
+}
+
+}  // namespace
+
+void FileFlow::open(const std::filesystem::path& file) {
+    waitingFile_ = file;
+    unlessUnsaved(Waiting::openFile);
+}
+
+void FileFlow::save() {
+    if (!context_.session.hasNativePath()) return saveAs();
+    saveTo(*context_.session.path());
+}
+
+void FileFlow::saveAs() {
+    browse({.title = "Save as",
+            .button = "Save",
+            .saving = true,
+            .extensions = {".voxprite", ".vox"},
+            .name = stemOf(context_.session) + ".voxprite"},
+           [this](CommandContext&, const std::filesystem::path& path) { saveTo(path); });
+}
+
+void FileFlow::exportOctree() {
+    browse({.title = "Export the octree for the game's runtime",
+            .button = "Export",
+            .saving = true,
+            .extensions = {".svo"},
+            .name = stemOf(context_.session) + ".svo"},
+           [this](CommandContext&, const std::filesystem::path& path) { exportTo(path); });
+}
+
+void FileFlow::openProfile() {
+    browse({.title = "Open a game profile", .button = "Open", .extensions = kProfileExtensions},
+           [this](CommandContext& c, const std::filesystem::path& path) {
+               tell(c.session.openProfile(path), "Game profile " + path.filename().string());
+           });
+}
+
+void FileFlow::saveProfile() {
+    const auto& path = context_.session.profilePath();
+    if (!path) return saveProfileAs();
+    context_.report(context_.session.saveProfile(*path));
+}
+
+void FileFlow::saveProfileAs() {
+    const auto& path = context_.session.profilePath();
+    browse({.title = "Save the game profile",
+            .button = "Save",
+            .saving = true,
+            .extensions = kProfileExtensions,
+            .name = path ? path->filename().string() : "game-profile.json"},
+           [this](CommandContext& c, const std::filesystem::path& chosen) {
+               tell(c.session.saveProfile(chosen), "Saved " + chosen.filename().string());
+           });
+}
+
+void FileFlow::browse(FileBrowser::Request request, Chosen chosen) {
+    if (request.folder.empty()) request.folder = context_.settings.window.folder;
+    chosen_ = std::move(chosen);
+    browser_.open(std::move(request));
+}
+
+void FileFlow::draw(Ui& ui) {
+    const UnsavedAnswer answer = context_.dialogs.draw(ui);
+    if (answer != UnsavedAnswer::none) afterUnsavedQuestion(answer);
+    if (const auto path = browser_.draw(ui)) {
+        context_.settings.window.folder = path->parent_path();
+        // What was chosen may ask for another file.
+        const Chosen chosen = std::exchange(chosen_, {});
+        chosen(context_, *path);
+    }
+    static_cast<void>(job_.finish());
+    if (job_.running()) {
+        // Most work is over before anyone could read what it was.
+        const bool shows = job_.seconds() > kProgressAfterSeconds;
+        if (drawProgress(ui, job_, blocks_, shows)) cancelWork();
+    } else if (afterJob_ != Waiting::none) {
+        unlessUnsaved(std::exchange(afterJob_, Waiting::none));
+    }
+}
+
+void FileFlow::finishWork() {
+    while (job_.running()) {
+        job_.wait();
+        static_cast<void>(job_.finish());
+    }
+}
+
+Status FileFlow::work(std::string title, BackgroundJob::Work work) {
+    if (job_.running()) return fail(job_.title() + " is not done yet");
+    blocks_ = false;
+    afterCancel_ = {};
+    job_.start(std::move(title), std::move(work));
+    return {};
+}
+
+void FileFlow::cancelWork() {
+    job_.cancel();
+    waiting_ = afterJob_ = Waiting::none;
+    if (const auto afterwards = std::exchange(afterCancel_, {})) afterwards();
+    context_.toasts.info("Cancelled: " + job_.title());
+}
+
+void FileFlow::unlessUnsaved(Waiting what) {
+    if (job_.running()) {
+        // What is being saved is saved to its end first.
+        afterJob_ = what;
+        return context_.toasts.info(job_.title() + " first");
+    }
+    waiting_ = what;
+    if (context_.session.unsaved()) {
+        context_.dialogs.askUnsaved();
+    } else {
+        goOn();
+    }
+}
+
+void FileFlow::afterUnsavedQuestion(UnsavedAnswer answer) {
+    switch (answer) {
+        case UnsavedAnswer::save:
+            return save();  // goes on once it has been saved
+        case UnsavedAnswer::discard:
+            return goOn();
+        case UnsavedAnswer::cancel:
+        case UnsavedAnswer::none:
+            waiting_ = Waiting::none;
+    }
+}
+
+void FileFlow::goOn() {
+    switch (std::exchange(waiting_, Waiting::none)) {
+        case Waiting::none:
+            return;
+        case Waiting::startNew:
+            context_.report(context_.session.startNew());
+            replaced_ = true;
+            return;
+        case Waiting::openDialog:
+            return browse(
+                {.title = "Open a model", .button = "Open", .extensions = kModelExtensions},
+                [this](CommandContext&, const std::filesystem::path& path) { openNow(path); });
+        case Waiting::openFile:
+            return openNow(waitingFile_);
+        case Waiting::quit:
+            quits_ = true;
+    }
+}
+
+void FileFlow::openNow(const std::filesystem::path& path) {
+    const auto opening = [this, path](JobProgress& progress) -> BackgroundJob::Done {
+        progress.enter("Reading and building the octree", 0.0);
+        // Shared, as what a job leaves behind can be copied.
+        const auto opened = std::make_shared<Result<Session::Opened>>(Session::read(path));
+        return [this, path, opened] {
+            CommandContext& c = context_;
+            if (!*opened) return c.dialogs.showError(opened->error().describe());
+            c.session.adopt(std::move(**opened));
+            c.settings.remember(path);
+            replaced_ = true;
+            for (const std::string& warning : c.session.warnings()) c.toasts.info(warning);
+        };
+    };
+    if (tell(work("Opening " + path.filename().string(), opening), {})) blocks_ = true;
+}
+
+void FileFlow::write(std::string title, const std::filesystem::path& path,
+                     std::function<void()> afterwards) {
+    if (job_.running()) {
+        tell(fail(job_.title() + " is not done yet"), {});
+        return;
+    }
+    Result<Session::Saving> begun = context_.session.beginSaving(path);
+    if (!begun) {
+        tell(Failure(begun.error()), {});
+        return;
+    }
+    const auto saving = std::make_shared<const Session::Saving>(std::move(*begun));
+    const auto writing = [this, saving, afterwards](JobProgress& progress) -> BackgroundJob::Done {
+        progress.enter("Writing", 0.0);
+        const Status written = Session::write(*saving, progress.stopToken());
+        return [this, saving, written, afterwards] {
+            context_.session.endSaving(*saving, written.has_value());
+            if (tell(written, {})) afterwards();
+        };
+    };
+    static_cast<void>(work(std::move(title), writing));
+    afterCancel_ = [this, saving] { context_.session.endSaving(*saving, false); };
+}
+
+void FileFlow::exportTo(const std::filesystem::path& path) {
+    const std::string name = path.filename().string();
+    write("Exporting " + name, path, [this, path, name] {
+        tellLosses(path);
+        context_.toasts.info("Exported and verified " + name);
+    });
+}
+
+void FileFlow::saveTo(const std::filesystem::path& path) {
+    const std::string name = path.filename().string();
+    write("Saving " + name, path, [this, path, name] {
+        tellLosses(path);
+        context_.toasts.info("Saved " + name);
+        context_.settings.remember(path);
+        // A .vox file is an export: the document is as unsaved as it was.
+        if (context_.session.unsaved()) waiting_ = Waiting::none;
+        goOn();
+    });
+}
+
+void FileFlow::tellLosses(const std::filesystem::path& path) {
+    const Result<Format> format = formatOf(path);
+    if (!format) return;
+    for (std::string& loss : lossesOf(context_.session.document(), *format)) {
+        context_.toasts.info(std::move(loss));
+    }
+}
+
+bool FileFlow::tell(const Status& done, const std::string& news) {
+    if (!done) {
+        waiting_ = Waiting::none;
+        context_.dialogs.showError(done.error().describe());
+        return false;
+    }
+    if (!news.empty()) context_.toasts.info(news);
+    return true;
+}
+
+}  // namespace voxprite::editor

@@ -1,0 +1,81 @@
+// Opening, saving and exporting: from the question about unsaved changes over the choice of a file
+// to the news that it is done. What takes long goes on behind the window; while a file is being
+// opened nothing else can be done, while one is being saved all can.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "app/editor/commands/command_context.h"
+#include "app/editor/panels/dialogs.h"
+#include "app/editor/panels/file_browser.h"
+#include "app/editor/session/background_job.h"
+
+namespace voxprite::editor {
+
+class FileFlow {
+  public:
+    // `context` outlives this.
+    explicit FileFlow(CommandContext& context) : context_(context) {}
+
+    void startNew() { unlessUnsaved(Waiting::startNew); }
+    void open() { unlessUnsaved(Waiting::openDialog); }
+    void open(const std::filesystem::path& file);
+    void save();
+    void saveAs();
+    void exportOctree();
+    void openProfile();
+    void saveProfile();
+    void saveProfileAs();
+    void quit() { unlessUnsaved(Waiting::quit); }
+
+    // For any other file: asks for one, starting where the last one was, and hands it on.
+    using Chosen = std::function<void(CommandContext&, const std::filesystem::path&)>;
+    void browse(FileBrowser::Request request, Chosen chosen);
+
+    // For any other long work: one thing at a time, so it fails while another goes on.
+    [[nodiscard]] Status work(std::string title, BackgroundJob::Work work);
+
+    // The dialogs, while there are any; and the end of what went on behind the window.
+    void draw(Ui& ui);
+    [[nodiscard]] bool isWorking() const { return job_.running(); }
+    // Scripts do one thing after another: waits until nothing goes on.
+    void finishWork();
+    [[nodiscard]] bool isBrowsing() const { return browser_.isOpen(); }
+
+    [[nodiscard]] bool quits() const { return quits_; }
+    // Is another document open than at the last call?
+    [[nodiscard]] bool takeReplaced() { return std::exchange(replaced_, false); }
+
+  private:
+    // What waits for the answer about unsaved changes.
+    enum class Waiting : std::uint8_t { none, startNew, openDialog, openFile, quit };
+    void unlessUnsaved(Waiting what);
+    void afterUnsavedQuestion(UnsavedAnswer answer);
+    void goOn();
+    void openNow(const std::filesystem::path& path);
+    void saveTo(const std::filesystem::path& path);
+    void exportTo(const std::filesystem::path& path);
+    void write(std::string title, const std::filesystem::path& path,
+               std::function<void()> afterwards);
+    void cancelWork();
+    // What the format of a file that was written cannot hold.
+    void tellLosses(const std::filesystem::path& path);
+    // A failure to be read; success to be seen in passing.
+    bool tell(const Status& done, const std::string& news);
+
+    CommandContext& context_;
+    FileBrowser browser_;
+    Chosen chosen_;
+    BackgroundJob job_;
+    bool blocks_ = false;  // nothing else may be done meanwhile
+    // What a cancelled job leaves to put right.
+    std::function<void()> afterCancel_;
+    Waiting waiting_ = Waiting::none;
+    Waiting afterJob_ = Waiting::none;  // until the job has ended
+    std::filesystem::path waitingFile_;
+    bool quits_ = false;
+    bool replaced_ = false;
+};
+
+}  // namespace voxprite::editor

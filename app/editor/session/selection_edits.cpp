@@ -1,0 +1,214 @@
+#include "app/editor/session/selection_edits.h"
+
+#include <utility>
+
+#include "app/editor/panels/number_text.h"
+#include "app/editor/tools/edit_target.h"
+#include "core/edit/free_name.h"
+#include "core/edit/make_action.h"
+#include "core/edit/regions.h"
+#include "core/edit/reshape.h"
+#include "core/edit/scene_edits.h"
+#include "core/edit/transforms.h"
+
+namespace voxprite::editor {
+namespace {
+
+const VoxelGrid& gridOf(const Session& session, int model) {
+    return session.document().models[static_cast<std::size_t>(model)].voxels;
+}
+
+std::string voxelCount(std::uint64_t count) {
+    return grouped(count) + (count == 1 ? " voxel" : " voxels");
+}
+
+Result<Action> withLabel(std::string label, Result<VoxelPatch> patch) {
+    if (!patch) return Failure(patch.error());
+    return makeAction(std::move(label), std::move(*patch));
+}
+
+// As it looks on screen.
+VoxelClip clipOf(const Session& session, const Chosen& chosen) {
+    VoxelClip clip = copyVoxels(gridOf(session, chosen.model), chosen.voxels);
+    clip.modelFromClip = chosen.entityFromModel;
+    return clip;
+}
+
+Floating inAir(const Session& session, const Chosen& chosen, const char* label) {
+    Floating floating;
+    floating.label = label;
+    floating.node = chosen.node;
+    floating.model = chosen.model;
+    floating.entityFromModel = chosen.entityFromModel;
+    floating.clip = clipOf(session, chosen);
+    floating.home = floating.bounds().min;
+    return floating;
+}
+
+const char* labelOf(Floating::Kind kind) {
+    switch (kind) {
+        case Floating::Kind::move:
+            return "Move voxels";
+        case Floating::Kind::hollow:
+            return "Hollow out";
+        case Floating::Kind::dilate:
+            return "Dilate";
+        case Floating::Kind::erode:
+            return "Erode";
+        case Floating::Kind::smooth:
+            return "Smooth";
+    }
+    return "";
+}
+
+}  // namespace
+
+Result<Chosen> chosenVoxels(const Session& session) {
+    const VoxelSelection& selection = session.selection();
+    const int node = selection.empty() ? session.activeNode() : selection.node();
+    const Result<EditTarget> target = EditTarget::of(session, node);
+    if (!target) return Failure(target.error());
+    const bool selected = !selection.empty() && selection.model() == target->model();
+    Chosen chosen{node, target->model(), target->modelFromEntity().inverse(),
+                  selected ? selection.voxels() : selectAll(target->voxels(session)), selected};
+    if (chosen.voxels.empty()) return fail("The object is empty");
+    return chosen;
+}
+
+Status selectEverything(Session& session) {
+    const Result<EditTarget> target = EditTarget::of(session, session.activeNode());
+    if (!target) return Failure(target.error());
+    session.selection().select(target->node(), target->model(), selectAll(target->voxels(session)));
+    return {};
+}
+
+Status invertSelection(Session& session) {
+    const VoxelSelection& selection = session.selection();
+    if (selection.empty()) return selectEverything(session);
+    const int node = selection.node(), model = selection.model();
+    session.selection().select(node, model, inverted(gridOf(session, model), selection.voxels()));
+    return {};
+}
+
+Status selectColour(Session& session, std::uint8_t colour) {
+    const Result<EditTarget> target = EditTarget::of(session, session.activeNode());
+    if (!target) return Failure(target.error());
+    VoxelSet found = voxelsOfColour(target->voxels(session), colour);
+    if (found.empty()) return fail("No voxel of the object has this colour");
+    session.selection().select(target->node(), target->model(), std::move(found));
+    return {};
+}
+
+Status copySelection(Session& session) {
+    const Result<Chosen> chosen = chosenVoxels(session);
+    if (!chosen) return Failure(chosen.error());
+    session.setClip(clipOf(session, *chosen));
+    return {};
+}
+
+Status lift(Session& session, const ToolSettings& settings, Floating::Kind kind) {
+    Result<Chosen> chosen = chosenVoxels(session);
+    if (!chosen) return Failure(chosen.error());
+    Floating floating = inAir(session, *chosen, labelOf(kind));
+    floating.kind = kind;
+    floating.selects = chosen->selected;
+    floating.from = std::move(chosen->voxels);
+    // What is moved goes where it is taken; what grows stays within the artist's limits.
+    if (kind != Floating::Kind::move && settings.options.limited) {
+        floating.limits = settings.options.limits;
+    }
+    session.selection().setFloating(std::move(floating));
+    return {};
+}
+
+Status pasteClip(Session& session) {
+    if (!session.clip()) return fail("Copy something first");
+    const Result<EditTarget> target = EditTarget::of(session, session.activeNode());
+    if (!target) return Failure(target.error());
+    Floating floating;
+    floating.label = "Paste";
+    floating.node = target->node();
+    floating.model = target->model();
+    floating.entityFromModel = target->modelFromEntity().inverse();
+    floating.clip = *session.clip();
+    floating.home = floating.bounds().min;
+    session.selection().setFloating(std::move(floating));
+    return {};
+}
+
+Status duplicateSelection(Session& session) {
+    const Result<Chosen> chosen = chosenVoxels(session);
+    if (!chosen) return Failure(chosen.error());
+    Floating floating = inAir(session, *chosen, "Duplicate voxels");
+    floating.moveBy({floating.bounds().size().x, 0, 0});
+    session.selection().setFloating(std::move(floating));
+    return {};
+}
+
+Result<std::optional<Action>> putDown(Session& session) {
+    if (!session.selection().floating()) return std::optional<Action>();
+    const Floating floating = *session.selection().floating();
+    Result<VoxelPatch> patch = floating.patch(session.document());
+    if (!patch) return Failure(patch.error());
+    session.selection().setFloating(std::nullopt);
+    if (patch->changes.empty()) return std::optional<Action>();
+    if (floating.selects) {
+        Result<VoxelSet> footprint = floating.footprint();
+        if (!footprint) return Failure(footprint.error());
+        session.selection().selectWithNextStep(floating.node, floating.model,
+                                               std::move(*footprint));
+    }
+    session.setActiveNode(floating.node);
+    return std::optional<Action>(makeAction(floating.label, std::move(*patch)));
+}
+
+Result<Action> deleteSelection(const Session& session, const char* verb) {
+    const Result<Chosen> chosen = chosenVoxels(session);
+    if (!chosen) return Failure(chosen.error());
+    return withLabel(
+        verb + (" " + voxelCount(chosen->voxels.count())),
+        patchSet(session.document(), chosen->model, chosen->voxels, EditMode::erase, 0));
+}
+
+Result<Action> recolourSelection(const Session& session, std::uint8_t colour) {
+    const Result<Chosen> chosen = chosenVoxels(session);
+    if (!chosen) return Failure(chosen.error());
+    return withLabel(
+        "Recolour " + voxelCount(chosen->voxels.count()),
+        patchSet(session.document(), chosen->model, chosen->voxels, EditMode::paint, colour));
+}
+
+Result<Action> cropToSelection(const Session& session) {
+    const Result<Chosen> chosen = chosenVoxels(session);
+    if (!chosen) return Failure(chosen.error());
+    return withLabel("Crop to the selection",
+                     patchCrop(session.document(), chosen->model, chosen->voxels));
+}
+
+Result<Action> trimToBox(const Session& session, const IBox& entityBox) {
+    const Result<Chosen> chosen = chosenVoxels(session);
+    if (!chosen) return Failure(chosen.error());
+    const IBox box = chosen->entityFromModel.inverse().applyToBox(entityBox);
+    // Of the selection, if there is one, only what is selected goes.
+    VoxelSet beyond = chosen->voxels;
+    beyond.subtract(selectBox(gridOf(session, chosen->model), box));
+    return withLabel("Trim to the limits",
+                     patchSet(session.document(), chosen->model, beyond, EditMode::erase, 0));
+}
+
+Result<Action> selectionToObject(const Session& session) {
+    const Result<Chosen> chosen = chosenVoxels(session);
+    if (!chosen) return Failure(chosen.error());
+    Result<VoxelPatch> taken =
+        patchSet(session.document(), chosen->model, chosen->voxels, EditMode::erase, 0);
+    if (!taken) return Failure(taken.error());
+    const Document& document = session.document();
+    Action action = addObject(document, freeName("Part", document.nodes));
+    auto& scene = std::get<SceneEdit>(action.parts.front());
+    scene.addedModels.front().voxels = clipOf(session, *chosen).placed();
+    action.label = "To a new object";
+    action.parts.emplace_back(std::move(*taken));
+    return action;
+}
+
+}  // namespace voxprite::editor

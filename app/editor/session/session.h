@@ -1,0 +1,209 @@
+// One open document and everything that follows from it: history, live octree of the frame shown,
+// bounds, the file it came from. Knows neither window nor GPU.
+//
+// All changes go one way: perform(action) -> history -> document -> live octree, of which only the
+// voxels that changed are touched.
+//
+// There are two octrees. octree() is the document's: tools aim at it, so that an edit that is only
+// coming never moves what they aim at. shownOctree() has the coming edit in it; views draw it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "app/editor/session/selection.h"
+#include "app/editor/session/shown_octree.h"
+#include "core/edit/clip.h"
+#include "core/edit/history.h"
+#include "core/io/formats.h"
+#include "core/model/entity_voxels.h"
+#include "core/sprite/sprite_view.h"
+#include "core/svo/live_octree.h"
+
+namespace voxprite::editor {
+
+class Session {
+  public:
+    Session();  // a new document, one empty model
+    // Derived data points into the workspace.
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    [[nodiscard]] const Document& document() const { return workspace_.document; }
+    [[nodiscard]] const GameProfile& profile() const { return workspace_.profile; }
+    [[nodiscard]] const Workspace& workspace() const { return workspace_; }
+    [[nodiscard]] const History& history() const { return history_; }
+    [[nodiscard]] const LiveOctree& octree() const { return octree_; }
+    // Of the entity, all frames together; empty when there is no voxel.
+    [[nodiscard]] const IBox& bounds() const { return bounds_; }
+
+    // Shows what `patches` would make of the document, in place of the last preview. The preview
+    // ends with clearPreview() and with every change of the document or of the frame. Patches as
+    // patchVoxels() gives them: ascending positions, none twice. Costs the voxels that differ.
+    // Fails, showing no preview, when the model would outgrow what an octree can hold.
+    [[nodiscard]] Status preview(const std::vector<VoxelPatch>& patches);
+    void clearPreview();
+    [[nodiscard]] bool previews() const { return shown_.previews(); }
+    [[nodiscard]] const LiveOctree& shownOctree() const { return shown_.octree(); }
+    // bounds(), and what the preview fills.
+    [[nodiscard]] IBox shownBounds() const { return bounds_.united(shown_.filled()); }
+    // Of the shown octree since the last call; the caller uploads them.
+    [[nodiscard]] OctreeChanges takeOctreeChanges();
+    // Rises with every change that a view could show; modelRevision only with those of voxels,
+    // palette and scene.
+    [[nodiscard]] std::uint64_t revision() const { return revision_; }
+    [[nodiscard]] std::uint64_t modelRevision() const { return modelRevision_; }
+    // Changes with every change of one model's voxels, and is never the same for two models.
+    [[nodiscard]] std::uint64_t voxelRevision(int model) const {
+        return voxelRevisions_[static_cast<std::size_t>(model)];
+    }
+
+    // The palette variant that is shown and whose colours are edited; nothing: the palette's own.
+    // Another document starts with its own.
+    [[nodiscard]] std::optional<std::size_t> variant() const { return variant_; }
+    void showVariant(std::optional<std::size_t> variant);
+    // The document's palette in the colours of that variant.
+    [[nodiscard]] const Palette& shownPalette() const { return shownPalette_; }
+
+    // Fails, with nothing changed, when the model would outgrow what an octree can hold.
+    [[nodiscard]] Status perform(Action action);
+    [[nodiscard]] Status undo();
+    [[nodiscard]] Status redo();
+    // What the artist has selected, and what is in the air; it follows the document.
+    [[nodiscard]] const VoxelSelection& selection() const { return selection_; }
+    [[nodiscard]] VoxelSelection& selection() { return selection_; }
+    // What was last copied or cut; the clipboard of the voxel tools, placed in entity space: as it
+    // looked on screen. No part of the document: it outlives it.
+    [[nodiscard]] const std::optional<VoxelClip>& clip() const { return clip_; }
+    void setClip(std::optional<VoxelClip> clip) { clip_ = std::move(clip); }
+    // Most that undo may hold.
+    void limitHistory(std::size_t bytes) { history_.setMemoryLimitBytes(bytes); }
+    // A key of its own for the actions of one stroke or drag, which become one step.
+    [[nodiscard]] std::uint64_t newMergeKey() { return ++lastMergeKey_; }
+
+    [[nodiscard]] int frame() const { return frame_; }
+    [[nodiscard]] int frames() const { return frames_; }
+    [[nodiscard]] Status setFrame(int frame);
+
+    // The object that tools edit: an index into Document::nodes, or -1 when there is none.
+    [[nodiscard]] int activeNode() const { return activeNode_; }
+    void setActiveNode(int node);
+    // Where it lies in this frame; nothing while it is hidden.
+    [[nodiscard]] std::optional<Instance> activeInstance() const;
+    // The object whose voxel shows at an entity voxel; -1 where it is empty.
+    [[nodiscard]] int nodeAt(glm::ivec3 entityVoxel) const;
+    [[nodiscard]] const std::vector<Instance>& instances() const { return sampler_->instances(); }
+
+    // The shown entity as it stands in the game (on the anchor that the document gives it, so that
+    // a preview never makes it jump); and as it is edited: entity space itself, one unit a voxel,
+    // its origin at the world's, so that nothing moves while voxels are added.
+    [[nodiscard]] PlacedEntity placedInGame() const;
+    // The entity of the document itself as it stands in the game: what shows no preview, and must
+    // not move while the pointer does.
+    [[nodiscard]] PlacedEntity madeInGame() const;
+    [[nodiscard]] PlacedEntity placedForEditing() const { return placedForEditing(shownBounds()); }
+    // Voxels of a box of entity space, where they lie in that view.
+    [[nodiscard]] static PlacedEntity placedForEditing(const IBox& box);
+
+    [[nodiscard]] Status startNew();
+    [[nodiscard]] Status open(const std::filesystem::path& path);
+    // Native, .vox or .svo, by the ending. Only the native format makes the document saved under
+    // that name; the others are exports.
+    [[nodiscard]] Status saveAs(const std::filesystem::path& path);
+
+    // The same in two halves, for long files. read() and write() do what takes time, on any
+    // thread; what goes before or after them is quick.
+    struct Derived {
+        LiveOctree octree;
+        ShownOctree shown;
+        IBox bounds;
+        int frames = 1;
+        // Where each model lies in any frame, each place once: what bounds grow by.
+        std::vector<std::vector<Placement>> placesOfModel;
+    };
+    struct Opened {
+        std::filesystem::path path;
+        LoadedDocument loaded;
+        Derived derived;
+    };
+    [[nodiscard]] static Result<Opened> read(const std::filesystem::path& path);
+    void adopt(Opened opened);
+    // The copy of unsaved work that a crash left (recovery/recovery_folder.h): it is `file`, if
+    // any, with changes that are in no file yet.
+    [[nodiscard]] Status recover(const std::filesystem::path& document, const GameProfile& profile,
+                                 const std::optional<std::filesystem::path>& file);
+    struct Saving {
+        std::filesystem::path path;
+        Format format = Format::voxprite;
+        Document document;
+        GameProfile profile;
+        bool wasSaved = false;  // there was nothing to save
+    };
+    // The document as it is now. It counts as saved from here on; endSaving() says whether it was.
+    [[nodiscard]] Result<Saving> beginSaving(const std::filesystem::path& path);
+    [[nodiscard]] static Status write(const Saving& saving, std::stop_token stop = {});
+    void endSaving(const Saving& saving, bool saved);
+
+    [[nodiscard]] Status openProfile(const std::filesystem::path& path);
+    [[nodiscard]] Status saveProfile(const std::filesystem::path& path);
+
+    [[nodiscard]] const std::optional<std::filesystem::path>& path() const { return path_; }
+    [[nodiscard]] const std::optional<std::filesystem::path>& profilePath() const {
+        return profilePath_;
+    }
+    // Can be saved under its own name without asking for another.
+    [[nodiscard]] bool hasNativePath() const;
+    [[nodiscard]] std::string title() const;  // "hut", or "Untitled"
+    [[nodiscard]] bool unsaved() const { return !history_.isSaved(); }
+    [[nodiscard]] bool profileUnsaved() const { return savedProfile_ != workspace_.profile; }
+    // What was odd about the file last opened.
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+  private:
+    // Brings derived data up to date with what `changed` says.
+    [[nodiscard]] Status follow(const Changed& changed);
+    [[nodiscard]] Status followVoxels(const Changed::Voxels& changed);
+    void growOrShrinkBounds(const Changed::Voxels& changed);
+    // What the entity shows at a voxel once `patches` are in force.
+    [[nodiscard]] std::uint8_t valueWith(const std::vector<VoxelPatch>& patches,
+                                         glm::ivec3 entityVoxel) const;
+    // All that follows from one frame of a document.
+    [[nodiscard]] static Result<Derived> derive(const Document& document, int frame);
+    void install(Derived derived);
+    [[nodiscard]] Status rebuild();
+    void adopt(Document document, Derived derived);
+    void chooseActiveNode();
+    void followPalette();
+
+    Workspace workspace_;
+    History history_;
+    LiveOctree octree_;
+    ShownOctree shown_;
+    IBox bounds_;
+    std::optional<std::size_t> variant_;
+    Palette shownPalette_;
+    std::uint64_t revision_ = 1;
+    std::uint64_t modelRevision_ = 1;
+    std::vector<std::uint64_t> voxelRevisions_;
+    std::uint64_t lastVoxelRevision_ = 0;
+    std::uint64_t lastMergeKey_ = 0;
+
+    int frame_ = 0;
+    int frames_ = 1;
+    int activeNode_ = -1;
+    std::optional<EntitySampler> sampler_;
+    std::vector<std::vector<Placement>> placesOfModel_;
+
+    std::optional<std::filesystem::path> path_;
+    std::optional<std::filesystem::path> profilePath_;
+    GameProfile savedProfile_;
+    std::vector<std::string> warnings_;
+    VoxelSelection selection_;
+    std::optional<VoxelClip> clip_;
+};
+
+}  // namespace voxprite::editor

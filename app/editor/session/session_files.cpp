@@ -1,0 +1,135 @@
+// The session's files: what opening and saving do to it.
+#include <algorithm>
+
+#include "app/editor/session/session.h"
+#include "core/edit/make_action.h"
+#include "core/io/formats.h"
+#include "core/io/profile_json.h"
+
+namespace voxprite::editor {
+
+void Session::adopt(Document document, Derived derived) {
+    workspace_.document = std::move(document);
+    frame_ = 0;
+    activeNode_ = -1;
+    voxelRevisions_.clear();
+    selection_.forget();
+    install(std::move(derived));
+    showVariant(std::nullopt);
+    history_.clear();
+    history_.markSaved();
+    warnings_.clear();
+}
+
+Status Session::startNew() {
+    Document empty = Document::withEmptyModel();
+    Result<Derived> derived = derive(empty, 0);
+    if (!derived) return Failure(derived.error());
+    adopt(std::move(empty), std::move(*derived));
+    path_.reset();
+    return {};
+}
+
+Result<Session::Opened> Session::read(const std::filesystem::path& path) {
+    Result<LoadedDocument> loaded = loadDocument(path);
+    if (!loaded) return Failure(loaded.error());
+    Result<Derived> derived = derive(loaded->document, 0);
+    if (!derived) return inFile(Result<Opened>(Failure(derived.error())), path.string());
+    return Opened{path, std::move(*loaded), std::move(*derived)};
+}
+
+void Session::adopt(Opened opened) {
+    const AuthoredValues authored = opened.loaded.document.authored;
+    adopt(std::move(opened.loaded.document), std::move(opened.derived));
+    path_ = std::move(opened.path);
+    warnings_ = std::move(opened.loaded.warnings);
+    // A game's profile wins over what the file was made with; the built-in one stands for no game.
+    if (!profilePath_ && opened.loaded.format != Format::vox) {
+        workspace_.profile.voxelSizeMetres = authored.voxelSizeMetres;
+        workspace_.profile.sigma = authored.sigma;
+        savedProfile_ = workspace_.profile;
+    }
+}
+
+Status Session::open(const std::filesystem::path& path) {
+    Result<Opened> opened = read(path);
+    if (!opened) return Failure(opened.error());
+    adopt(std::move(*opened));
+    return {};
+}
+
+Status Session::recover(const std::filesystem::path& document, const GameProfile& profile,
+                        const std::optional<std::filesystem::path>& file) {
+    Result<Opened> opened = read(document);
+    if (!opened) return Failure(opened.error());
+    adopt(std::move(*opened));
+    workspace_.profile = profile;
+    path_ = file;
+    history_.markUnsaved();
+    return {};
+}
+
+Result<Session::Saving> Session::beginSaving(const std::filesystem::path& path) {
+    const Result<Format> format = formatOf(path);
+    if (!format) return Failure(format.error());
+    // A record of the game's values at this time; no edit of the document.
+    workspace_.document.authored = {profile().voxelSizeMetres, profile().sigma};
+    const bool wasSaved = history_.isSaved();
+    if (*format == Format::voxprite) history_.markSaved();
+    return Saving{path, *format, document(), profile(), wasSaved};
+}
+
+Status Session::write(const Saving& saving, std::stop_token stop) {
+    return saveDocument(saving.path, saving.document, saving.profile, std::move(stop));
+}
+
+void Session::endSaving(const Saving& saving, bool saved) {
+    if (saving.format != Format::voxprite) return;
+    if (!saved) {
+        if (!saving.wasSaved) history_.markUnsaved();
+        return;
+    }
+    path_ = saving.path;
+    if (!profilePath_) savedProfile_ = saving.profile;
+}
+
+Status Session::saveAs(const std::filesystem::path& path) {
+    const Result<Saving> saving = beginSaving(path);
+    if (!saving) return Failure(saving.error());
+    Status written = write(*saving);
+    endSaving(*saving, written.has_value());
+    return written;
+}
+
+Status Session::openProfile(const std::filesystem::path& path) {
+    Result<GameProfile> profile = readProfileFile(path);
+    if (!profile) return Failure(profile.error());
+    const bool wasSaved = history_.isSaved();
+    Status performed =
+        perform(makeAction("Open game profile", ProfileEdit{workspace_.profile, *profile}));
+    if (!performed) return performed;
+    // The profile has a file of its own: the document is as saved as it was.
+    if (wasSaved) history_.markSaved();
+    profilePath_ = path;
+    savedProfile_ = workspace_.profile;
+    return {};
+}
+
+Status Session::saveProfile(const std::filesystem::path& path) {
+    if (Status saved = writeProfileFile(path, profile()); !saved) return saved;
+    profilePath_ = path;
+    savedProfile_ = workspace_.profile;
+    return {};
+}
+
+bool Session::hasNativePath() const {
+    if (!path_) return false;
+    const Result<Format> format = formatOf(*path_);
+    return format && *format == Format::voxprite;
+}
+
+std::string Session::title() const {
+    return path_ ? path_->stem().string() : "Untitled";
+}
+
+}  // namespace voxprite::editor

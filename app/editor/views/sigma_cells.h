@@ -1,0 +1,28 @@
+// The sprite view split into cells, each with a sigma of its own.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/editor/views/view_canvas.h"
+#include "core/sprite/sprite_view.h"
+#include "render/scene_renderer.h"
+
+namespace voxprite::editor {
+
+// One picture of the sprite view; without a comparison there is one alone.
+struct SpriteCell {
+    std::unique_ptr<Frame> frame;        // null: the picture is that of the canvas
+    std::vector<ViewHistory> histories;  // one an entity
+    SceneStats stats;
+    std::string problem;  // why there is no picture
+};
+
+// Pictures, values and what can be done with them; between the canvas' begin() and end().
+void showSigmaCells(Ui& ui, const ViewCanvas& canvas, std::span<const CellArea> areas,
+                    std::span<const SpriteCell> cells);
+
+}  // namespace voxprite::editor

@@ -1,0 +1,96 @@
+#include "app/editor/views/sprite_toolbar.h"
+
+#include <cstdio>
+
+#include "app/editor/panels/number_text.h"
+#include "app/editor/panels/widgets.h"
+
+namespace voxprite::editor {
+namespace {
+
+constexpr float kButton = 26.0f;
+
+// How large saved and copied sprites are.
+void drawPictureScale(Ui& ui, float size) {
+    const Theme& theme = ui.theme;
+    int& scale = ui.settings.scene.pictureScale;
+    const std::string text = std::to_string(scale) + "×";
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 area(size + theme.px(4), size);
+    if (ImGui::InvisibleButton("scale", area)) ImGui::OpenPopup("scales");
+    ui.probe.markItem("sprite.scale");
+    tooltip(ui, "Picture pixels a virtual pixel, of saved and copied sprites");
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    if (ImGui::IsItemHovered()) {
+        draw.AddRectFilled(corner, {corner.x + area.x, corner.y + area.y}, theme.fieldHovered,
+                           theme.px(6));
+    }
+    const ImVec2 wide = ImGui::CalcTextSize(text.c_str());
+    draw.AddText({corner.x + std::round((area.x - wide.x) * 0.5f),
+                  corner.y + std::round((area.y - wide.y) * 0.5f)},
+                 theme.text, text.c_str());
+    if (!ImGui::BeginPopup("scales")) return;
+    for (int each = 1; each <= kMostPictureScale; each *= 2) {
+        const std::string label =
+            std::to_string(each) + "×  " + (each == 1 ? "one pixel a virtual pixel" : "magnified");
+        if (ImGui::Selectable(label.c_str(), each == scale)) scale = each;
+        ui.probe.markItem("sprite.scale." + std::to_string(each));
+    }
+    ImGui::EndPopup();
+}
+
+void drawButtons(Ui& ui, const ViewCanvas& canvas) {
+    using enum CommandId;
+    const Theme& theme = ui.theme;
+    constexpr std::array kCommands{compareTwo, compareFour, saveSprite, copySprite};
+    const float size = theme.px(kButton), gap = theme.px(2), pad = theme.px(3);
+    const float width = (size + gap) * static_cast<float>(kCommands.size()) + size + theme.px(4);
+    const ImVec2 corner = canvas.toWindow({canvas.sizePx().x, 0});
+    ImGui::SetCursorScreenPos({corner.x - width - 2 * pad - theme.px(10), corner.y + theme.px(8)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, theme.px(8));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, withAlpha(theme.panel, 0.9f));
+    ImGui::BeginChild("sprite.toolbar", {width + 2 * pad, size + 2 * pad}, false,
+                      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+    for (const CommandId id : kCommands) {
+        commandButton(ui, id, isOn(id, ui.context) ? Lit::filled : Lit::off, size);
+        ImGui::SameLine(0.0f, gap);
+    }
+    drawPictureScale(ui, size);
+    ImGui::EndChild();
+}
+
+void drawFigures(Ui& ui, const ViewCanvas& canvas) {
+    const SceneFigures& figures = ui.figures.scene;
+    if (figures.entities < 2 || ui.settings.scene.comparison.on()) return;
+    const SceneStats& stats = figures.stats;
+    std::array<char, 32> ms{};
+    std::snprintf(ms.data(), ms.size(), "%.1f ms", figures.cpuMs);
+    const std::string text = grouped(static_cast<std::uint64_t>(stats.drawn)) + " sprites    " +
+                             grouped(static_cast<std::uint64_t>(stats.drawCalls)) +
+                             (stats.drawCalls == 1 ? " draw call    " : " draw calls    ") +
+                             grouped(stats.rays) + " rays    " + grouped(stats.castsReused) +
+                             " reused    " + ms.data();
+    const Theme& theme = ui.theme;
+    ImFont* small = theme.fonts.small;
+    const float room = static_cast<float>(canvas.sizePx().x) - theme.px(36);
+    const ImVec2 size = small->CalcTextSizeA(small->FontSize, FLT_MAX, room, text.c_str());
+    const ImVec2 corner = canvas.toWindow({0, canvas.sizePx().y});
+    const ImVec2 at(corner.x + theme.px(10), corner.y - size.y - theme.px(18));
+    ImDrawList& draw = canvas.overlay();
+    draw.AddRectFilled(at, {at.x + size.x + theme.px(16), at.y + size.y + theme.px(8)},
+                       IM_COL32(16, 17, 19, 205), theme.px(6));
+    draw.AddText(small, small->FontSize, {at.x + theme.px(8), at.y + theme.px(4)},
+                 IM_COL32(225, 227, 231, 255), text.c_str(), nullptr, room);
+}
+
+}  // namespace
+
+void drawSpriteToolbar(Ui& ui, const ViewCanvas& canvas) {
+    drawFigures(ui, canvas);
+    drawButtons(ui, canvas);
+}
+
+}  // namespace voxprite::editor

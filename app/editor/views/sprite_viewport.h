@@ -1,0 +1,101 @@
+// The sprite view: the entity as the game shows it, in a small game scene, with the handles of its
+// proxy box; alone or among copies, at one sigma or at several side by side.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "app/editor/views/gizmo.h"
+#include "app/editor/views/sigma_cells.h"
+#include "app/editor/views/sprite_scene.h"
+#include "app/editor/views/view_canvas.h"
+#include "app/editor/window/image_clipboard.h"
+#include "core/base/image.h"
+#include "core/base/result.h"
+#include "render/gl/timer_query.h"
+#include "render/overlay.h"
+#include "render/scene_renderer.h"
+
+namespace voxprite::editor {
+
+class SpriteViewport {
+  public:
+    [[nodiscard]] static Result<SpriteViewport> create();  // needs the window's GL context
+
+    void show(Ui& ui, ImVec2 min, ImVec2 size);
+    // Draws the picture again if anything in it changed; true when it did.
+    [[nodiscard]] Result<bool> render(const Session& session, const GpuOctree& octree,
+                                      const EditorSettings& settings);
+    // Something moves by itself, or is to be drawn without need.
+    [[nodiscard]] bool animates(const EditorSettings& settings) const;
+
+    [[nodiscard]] OrbitCamera& camera() { return camera_; }
+    [[nodiscard]] CameraTurn& turn() { return turn_; }
+    [[nodiscard]] bool turns() const { return turn_.running(); }
+    void frameModel(const Session& session);
+    void frameScene(const Session& session);  // the model with all copies
+    // As far away as lets a virtual pixel cover so many pixels of the screen.
+    void toGameDistance(const Session& session, double screenPxPerPx);
+    // Another document: nothing of the last one's views is remembered.
+    void forget() { cells_.clear(); }
+
+    // The sprite as it shows, see spritePicture().
+    [[nodiscard]] Result<Image> picture(const Session& session,
+                                        const SceneSettings& settings) const;
+    [[nodiscard]] ImageClipboard& clipboard() { return clipboard_; }
+
+    [[nodiscard]] const SceneStats& stats() const { return figures_.stats; }
+    [[nodiscard]] const SceneFigures& figures() const { return figures_; }
+    // What went wrong since the last call, to be told.
+    [[nodiscard]] std::vector<Error> takeProblems() { return std::exchange(problems_, {}); }
+
+  private:
+    SpriteViewport(SceneRenderer scene, Overlay overlay)
+        : renderer_(std::move(scene)), overlay_(std::move(overlay)) {}
+    void showAlone(Ui& ui, ViewInput& input);
+    void showCells(Ui& ui, ViewInput& input);
+    void useGizmo(Ui& ui, const ViewInput& input, const Camera& camera);
+    void drawAnchor(Ui& ui, const Camera& camera, const PlacedEntity& placed);
+    void prepareCells();
+    [[nodiscard]] Status renderCell(SpriteCell& cell, Frame& frame, const Session& session,
+                                    const GpuOctree& octree, const EditorSettings& settings,
+                                    const GameProfile& profile);
+    // The size of one cell, and the history of the entity in the cell that is in force.
+    [[nodiscard]] glm::ivec2 cellPx() const;
+    [[nodiscard]] std::size_t cellInForce(const SceneSettings& settings) const;
+    [[nodiscard]] ViewHistory history(const SceneSettings& settings) const;
+
+    struct Shown {
+        std::uint64_t octree = 0;
+        std::uint64_t session = 0;
+        std::uint64_t scene = 0;
+        OrbitCamera camera;
+        glm::ivec2 sizePx{0};
+        std::size_t cells = 1;
+        ViewSettings view;
+        SigmaComparison comparison;
+        bool operator==(const Shown&) const = default;
+    };
+
+    SceneRenderer renderer_;
+    Overlay overlay_;
+    ViewCanvas canvas_;
+    OrbitCamera camera_;
+    CameraTurn turn_;
+    SpriteScene scene_;
+    std::vector<CellArea> areas_{CellArea{}};
+    std::vector<SpriteCell> cells_;
+    gl::TimerQuery timer_;
+    SceneFigures figures_;
+    std::chrono::steady_clock::time_point drawnAt_;
+    bool postponed_ = false;
+    Gizmo gizmo_;
+    std::uint64_t gizmoKey_ = 0;
+    ImageClipboard clipboard_;
+    std::vector<Error> problems_;
+    std::optional<Shown> shown_;
+};
+
+}  // namespace voxprite::editor

@@ -1,0 +1,70 @@
+// The edit view: the voxels in perspective, and the tools that change them.
+#pragma once
+
+#include <optional>
+
+#include "app/editor/tools/tool_box.h"
+#include "app/editor/views/onion_skin.h"
+#include "app/editor/views/picking.h"
+#include "app/editor/views/selection_picture.h"
+#include "app/editor/views/view_canvas.h"
+#include "core/base/result.h"
+#include "render/overlay.h"
+#include "render/voxel_view.h"
+
+namespace voxprite::editor {
+
+class VoxelViewport {
+  public:
+    [[nodiscard]] static Result<VoxelViewport> create();  // needs the window's GL context
+
+    // The user interface; edits go to ui.edits, the reason why a tool does nothing to `refusal`.
+    void show(Ui& ui, ImVec2 min, ImVec2 size, std::string& refusal);
+    // Draws the picture again if anything in it changed; true when it did.
+    bool render(const Session& session, const GpuOctree& octree, const EditorSettings& settings);
+
+    [[nodiscard]] OrbitCamera& camera() { return camera_; }
+    [[nodiscard]] CameraTurn& turn() { return turn_; }
+    [[nodiscard]] bool turns() const { return turn_.running(); }
+    void frameModel(const Session& session);
+    // So that a box of entity space fills the view.
+    void frameBox(const IBox& box);
+    [[nodiscard]] const std::optional<Pick>& hovered() const { return hovered_; }
+    // The tool in hand, for its options.
+    [[nodiscard]] ToolBox& tools() { return tools_; }
+
+  private:
+    VoxelViewport(VoxelView view, Overlay overlay)
+        : view_(std::move(view)), overlay_(std::move(overlay)) {}
+    void useTools(Ui& ui, const ToolContext& context, std::string& refusal);
+
+    // Everything that the picture depends on.
+    struct Shown {
+        std::uint64_t octree = 0;
+        std::uint64_t model = 0;
+        OrbitCamera camera;
+        glm::ivec2 sizePx{0};
+        ViewSettings view;
+        ThemeKind theme = ThemeKind::dark;
+        Light light;
+        IBox bounds;
+        ToolOptions guides;
+        std::vector<std::uint64_t> ghosts;  // revisions of their octrees
+        std::uint64_t marked = 0;           // that of what is selected
+        bool operator==(const Shown&) const = default;
+    };
+
+    VoxelView view_;
+    Overlay overlay_;
+    ViewCanvas canvas_;
+    OrbitCamera camera_;
+    CameraTurn turn_;
+    ToolBox tools_;
+    OnionSkin onion_;
+    SelectionPicture selection_;
+    std::optional<Pick> hovered_;
+    float scale_ = 1.0f;  // device pixels a pixel
+    std::optional<Shown> shown_;
+};
+
+}  // namespace voxprite::editor

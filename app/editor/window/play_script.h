@@ -1,0 +1,39 @@
+// Recorded input as JSON lines, each with the frame (from 0) in which it happens:
+//   {"frame": 3, "move": [640, 400]}            framebuffer pixels
+//   {"frame": 4, "button": "left", "down": true}   left, right, middle
+//   {"frame": 5, "wheel": [0, 1]}
+//   {"frame": 6, "key": "z", "down": true}      names as keyName() gives them
+//   {"frame": 7, "text": "hut"}
+//   {"frame": 8, "drop": ["a.vox"]}
+//   {"frame": 9, "screenshot": "a.png"}         what that frame showed
+//   {"frame": 10, "quit": true}                 at once, without a question
+// A missing frame is that of the line before; frames never go back.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "app/editor/window/input.h"
+#include "core/base/result.h"
+
+namespace voxprite::editor {
+
+struct ScriptScreenshot {
+    std::filesystem::path path;
+};
+struct ScriptQuit {};
+
+struct ScriptLine {
+    long long frame = 0;
+    std::variant<InputEvent, ScriptScreenshot, ScriptQuit> what;
+};
+
+// Errors name the line.
+[[nodiscard]] Result<std::vector<ScriptLine>> readPlayScript(std::string_view text);
+// One line, without its end; empty for what a script cannot hold.
+[[nodiscard]] std::string writeScriptLine(long long frame, const InputEvent& event);
+
+}  // namespace voxprite::editor
