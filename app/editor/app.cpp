@@ -181,7 +181,8 @@ void App::recover(const LostWork& work) {
 }
 
 void App::keepCopy() {
-    if (!autosave_) return;
+    // A document counts as saved while it is being written: its copy stays until that is done.
+    if (!autosave_ || files_.isWorking()) return;
     autosave_->update(session_, Window::seconds());
     if (const auto problem = autosave_->takeProblem()) {
         toasts_.error("No copy of the unsaved work can be kept: " + problem->describe());

@@ -47,7 +47,10 @@ TEST_F(EditorRecovery, WhatAKilledEditorHeldComesBack) {
     EXPECT_TRUE(state().at("unsaved"));
     EXPECT_EQ(state().at("file"), file("box.voxprite").string());
     key("ctrl+s");
-    await("all to be saved", [](const Json& now) { return !now.at("state").at("unsaved"); });
+    await("all to be saved", [](const Json& now) {
+        const Json& state = now.at("state");
+        return !state.at("unsaved") && !state.at("working");
+    });
     const Document saved = must(loadDocument(file("box.voxprite"))).document;
     EXPECT_EQ(saved.models.at(0).voxels.solidCount(), 961U);
     // Nothing is left to recover.
