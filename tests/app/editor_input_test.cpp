@@ -37,6 +37,18 @@ TEST(EditorInput, AFastClickSpansTwoFrames) {
     EXPECT_TRUE(queue.takeFrame().empty());
 }
 
+// A split bar dragged by a fast hand, on a slow machine, lost what came last.
+TEST(EditorInput, ADragIsSeenWhereItEndedBeforeItIsLetGo) {
+    InputQueue queue;
+    queue.push(event(InputKind::button, 0, true));
+    queue.push(moveTo(5, 0));
+    queue.push(moveTo(9, 0));
+    queue.push(event(InputKind::button, 0, false));
+    EXPECT_EQ(queue.takeFrame().size(), 1u);
+    EXPECT_EQ(queue.takeFrame().size(), 2u);  // both moves, with the button down
+    EXPECT_EQ(queue.takeFrame().size(), 1u);
+}
+
 TEST(EditorInput, NoKeyChangesTwiceInAFrame) {
     InputQueue queue;
     for (const int key : {341, 90}) queue.push(event(InputKind::key, key, true));

@@ -77,7 +77,7 @@ static_assert(kLastKey == GLFW_KEY_LAST);
 std::vector<InputEvent> InputQueue::takeFrame() {
     std::vector<InputEvent> frame;
     std::vector<int> changedKeys;
-    bool keyWentDown = false;
+    bool keyWentDown = false, moved = false;
     while (!events_.empty()) {
         const InputEvent& next = events_.front();
         if (next.kind == InputKind::key) {
@@ -86,6 +86,9 @@ std::vector<InputEvent> InputQueue::takeFrame() {
             keyWentDown = keyWentDown || next.down;
             changedKeys.push_back(next.code);
         }
+        // A drag is seen where it ended before it is let go.
+        if (next.kind == InputKind::button && !next.down && moved) break;
+        moved = moved || next.kind == InputKind::move;
         const bool ends = next.kind == InputKind::button || next.kind == InputKind::drop;
         frame.push_back(std::move(events_.front()));
         events_.pop_front();

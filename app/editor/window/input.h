@@ -38,8 +38,8 @@ class InputQueue {
     [[nodiscard]] bool empty() const { return events_.empty(); }
     // The events of one frame, in order. A user interface looks at the state once a frame, so a
     // frame ends before anything that would undo or move what it has not yet seen: after a button
-    // changed, before a key changes a second time, and before one is released that may belong to
-    // another just pressed (Ctrl of Ctrl+Z).
+    // changed, before one is released that was dragged in this frame, before a key changes a second
+    // time, and before one is released that may belong to another just pressed (Ctrl of Ctrl+Z).
     [[nodiscard]] std::vector<InputEvent> takeFrame();
 
   private:
