@@ -35,7 +35,8 @@ bool comesFirst(glm::ivec3 a, glm::ivec3 b) {
 }
 
 std::size_t indexOfStep(glm::ivec3 step) {
-    return static_cast<std::size_t>((step.x + 1) * 9 + (step.y + 1) * 3 + step.z + 1);
+    const int index = (step.x + 1) * 9 + (step.y + 1) * 3 + step.z + 1;
+    return static_cast<std::size_t>(index);
 }
 
 }  // namespace
