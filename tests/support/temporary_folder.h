@@ -12,7 +12,9 @@ namespace voxprite::test {
 class TemporaryFolder {
   public:
     TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "voxprite-XXXXXX").string();
+        // The six are for mkdtemp to fill.
+        std::string name =
+            (std::filesystem::temp_directory_path() / "voxprite-").string() + std::string(6, 'X');
         if (::mkdtemp(name.data()) == nullptr) ADD_FAILURE() << "no temporary folder: " << name;
         path_ = name;
     }

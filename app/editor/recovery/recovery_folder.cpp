@@ -92,7 +92,7 @@ Result<RecoveryFolder> RecoveryFolder::create(const fs::path& recovery) {
     std::error_code error;
     fs::create_directories(recovery, error);
     if (error) return failInFile(recovery.string(), error.message());
-    std::string name = (recovery / "work-XXXXXX").string();
+    std::string name = (recovery / "work-").string() + std::string(6, 'X');  // for mkdtemp to fill
     if (::mkdtemp(name.data()) == nullptr) {
         return failInFile(recovery.string(), "no folder can be made in it");
     }

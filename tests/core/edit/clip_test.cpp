@@ -4,6 +4,7 @@
 
 #include "core/edit/selection.h"
 #include "core/edit/transforms.h"
+#include "tests/support/edits.h"
 #include "tests/support/positions.h"
 #include "tests/support/random.h"
 #include "tests/support/voxels.h"
@@ -11,19 +12,11 @@
 namespace voxprite {
 namespace {
 
+using test::afterPatch;
 using test::forEachVoxel;
 using test::mapOf;
 using test::Random;
 using test::VoxelMap;
-
-VoxelMap afterPatch(const Document& document, const VoxelPatch& patch) {
-    VoxelGrid voxels = document.models[0].voxels;
-    for (const VoxelChange& change : patch.changes) {
-        EXPECT_EQ(voxels.get(change.position), change.before);
-        voxels.set(change.position, change.after);
-    }
-    return mapOf(voxels);
-}
 
 VoxelClip wholeClip(const VoxelGrid& voxels) {
     return copyVoxels(voxels, selectAll(voxels));

@@ -4,6 +4,7 @@
 
 #include "core/edit/regions.h"
 #include "core/edit/symmetry.h"
+#include "tests/support/edits.h"
 #include "tests/support/positions.h"
 #include "tests/support/random.h"
 #include "tests/support/voxels.h"
@@ -11,18 +12,10 @@
 namespace voxprite {
 namespace {
 
+using test::afterPatch;
 using test::mapOf;
 using test::Random;
 using test::VoxelMap;
-
-VoxelMap afterPatch(const Document& document, const VoxelPatch& patch) {
-    VoxelGrid voxels = document.models[0].voxels;
-    for (const VoxelChange& change : patch.changes) {
-        EXPECT_EQ(voxels.get(change.position), change.before);
-        voxels.set(change.position, change.after);
-    }
-    return mapOf(voxels);
-}
 
 TEST(Faces, ArePulledOutInTheirColoursAndPushedInAgain) {
     Random random(51);

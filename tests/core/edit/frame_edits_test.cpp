@@ -5,24 +5,14 @@
 
 #include "core/edit/socket_edits.h"
 #include "core/model/entity_voxels.h"
+#include "tests/support/edits.h"
 #include "tests/support/voxels.h"
 
 namespace voxprite {
 namespace {
 
+using test::after;
 using testing::ElementsAre;
-
-Document after(const Document& document, Action action) {
-    Workspace workspace{document, {}};
-    History history;
-    static_cast<void>(history.execute(workspace, std::move(action)));
-    const Status valid = validate(workspace.document);
-    EXPECT_TRUE(valid) << valid.error().message;
-    const Document result = workspace.document;
-    static_cast<void>(history.undo(workspace));
-    EXPECT_EQ(workspace.document, document);
-    return result;
-}
 
 Document after(const Document& document, Result<Action> action) {
     if (!action) {

@@ -12,27 +12,16 @@
 #include "core/edit/frame_edits.h"
 #include "core/edit/socket_edits.h"
 #include "core/model/entity_voxels.h"
+#include "tests/support/edits.h"
 #include "tests/support/random.h"
 #include "tests/support/voxels.h"
 
 namespace voxprite {
 namespace {
 
+using test::after;
 using test::Random;
 using testing::ElementsAre;
-
-// The document after an action, which must leave it valid and lead back when undone.
-Document after(const Document& document, Action action) {
-    Workspace workspace{document, {}};
-    History history;
-    static_cast<void>(history.execute(workspace, std::move(action)));
-    const Status valid = validate(workspace.document);
-    EXPECT_TRUE(valid) << valid.error().message;
-    const Document result = workspace.document;
-    static_cast<void>(history.undo(workspace));
-    EXPECT_EQ(workspace.document, document);
-    return result;
-}
 
 int nodeNamed(const Document& document, const std::string& name) {
     const auto found = std::ranges::find(document.nodes, name, &SceneNode::name);
