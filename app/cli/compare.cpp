@@ -17,14 +17,14 @@ std::string describe(const ImageComparison& c) {
     std::snprintf(text, sizeof text,
                   "pixels          %llu\n"
                   "mismatched      %llu (%.4f %%)\n"
-                  "silhouette XOR  %llu, IoU %.6f\n"
+                  "silhouette XOR  %llu, IoU %.6f, boundary IoU %.6f\n"
                   "FLIP mean       %.6f\n"
                   "PSNR            %s\n"
                   "SSIM            %.6f\n",
                   static_cast<unsigned long long>(c.pixels),
                   static_cast<unsigned long long>(c.mismatched), 100.0 * c.mismatchRate,
-                  static_cast<unsigned long long>(c.silhouetteXor), c.iou, c.flipMean,
-                  c.psnr ? (std::to_string(*c.psnr) + " dB").c_str() : "equal", c.ssim);
+                  static_cast<unsigned long long>(c.silhouetteXor), c.iou, c.boundaryIou,
+                  c.flipMean, c.psnr ? (std::to_string(*c.psnr) + " dB").c_str() : "equal", c.ssim);
     return text;
 }
 
@@ -41,6 +41,7 @@ Result<Report> compare(const Options& options) {
                    {"mismatch_rate", c->mismatchRate},
                    {"silhouette_xor", c->silhouetteXor},
                    {"iou", c->iou},
+                   {"boundary_iou", c->boundaryIou},
                    {"flip_mean", c->flipMean},
                    {"psnr", c->psnr ? Json(*c->psnr) : Json(nullptr)},
                    {"ssim", c->ssim}};

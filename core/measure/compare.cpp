@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/measure/flip.h"
+#include "core/measure/mask.h"
 #include "core/measure/ssim.h"
 
 namespace voxprite {
@@ -59,23 +60,22 @@ Result<ImageComparison> compareImages(const Image& a, const Image& b) {
 
     ImageComparison result;
     result.pixels = a.pixels.size();
-    std::uint64_t common = 0;
     double errorSum = 0.0;
     for (std::size_t k = 0; k < a.pixels.size(); ++k) {
         const Rgba8 pa = a.pixels[k];
         const Rgba8 pb = b.pixels[k];
         const bool bothTransparent = pa.w == 0 && pb.w == 0;
         if (pa != pb && !bothTransparent) ++result.mismatched;
-        const bool inA = pa.w >= 128;
-        const bool inB = pb.w >= 128;
-        if (inA != inB) ++result.silhouetteXor;
-        if (inA && inB) ++common;
         errorSum += squaredError(pa, pb);
     }
     const auto pixels = static_cast<double>(result.pixels);
     result.mismatchRate = static_cast<double>(result.mismatched) / pixels;
-    const std::uint64_t united = common + result.silhouetteXor;
-    if (united > 0) result.iou = static_cast<double>(common) / static_cast<double>(united);
+    const Mask inA = silhouetteOf(a);
+    const Mask inB = silhouetteOf(b);
+    const Overlap silhouettes = overlapOf(inA, inB);
+    result.silhouetteXor = silhouettes.differing();
+    result.iou = silhouettes.iou();
+    result.boundaryIou = boundaryIou(inA, inB, boundaryDistancePx(a.width, a.height));
     if (result.mismatched == 0) return result;
 
     result.psnr = 10.0 * std::log10(255.0 * 255.0 / (errorSum / (4.0 * pixels)));

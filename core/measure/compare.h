@@ -19,6 +19,7 @@ struct ImageComparison {
     double mismatchRate = 0.0;     // mismatched / pixels
     std::uint64_t silhouetteXor = 0;  // pixels opaque in exactly one (alpha >= 128)
     double iou = 1.0;                 // of the silhouettes; 1 when both are empty
+    double boundaryIou = 1.0;         // of their borders, see core/measure/mask.h
     double flipMean = 0.0;            // see core/measure/flip.h; 67 pixels a degree
     std::optional<double> psnr;       // decibels over RGBA, premultiplied; none when equal
     double ssim = 1.0;                // see core/measure/ssim.h; of the luma
