@@ -84,6 +84,8 @@ GameProfile profileFromJson(const nlohmann::ordered_json& json) {
         JsonObject light(*field);
         light.read("ambient", profile.light.ambient);
         light.read("towardLight", profile.light.towardLight);
+        light.read("occlusion", profile.light.occlusion);
+        light.read("shadow", profile.light.shadow);
         light.refuseUnknown();
     }
     readNamed(object, "shading", profile.shading, shadingNamed);
@@ -157,7 +159,10 @@ std::string writeProfile(const GameProfile& profile) {
         {"outline",
          {{"enabled", profile.outline.enabled}, {"colour", colourText(profile.outline.colour)}}},
         {"light",
-         {{"ambient", profile.light.ambient}, {"towardLight", {light.x, light.y, light.z}}}},
+         {{"ambient", profile.light.ambient},
+          {"towardLight", {light.x, light.y, light.z}},
+          {"occlusion", profile.light.occlusion},
+          {"shadow", profile.light.shadow}}},
         {"shading", nameOf(profile.shading)},
     };
     return json.dump(2) + "\n";

@@ -23,6 +23,8 @@ Status checkChoice(const char* field, int value, int last) {
 
 Status validate(const Light& light) {
     if (Status s = checkRange("light.ambient", light.ambient, 0.0, 1.0); !s) return s;
+    if (Status s = checkRange("light.occlusion", light.occlusion, 0.0, 1.0); !s) return s;
+    if (Status s = checkRange("light.shadow", light.shadow, 0.0, 1.0); !s) return s;
     constexpr double kFar = 1e6;
     for (int axis = 0; axis < 3; ++axis) {
         const std::string field = std::string("light.towardLight.") + "xyz"[axis];

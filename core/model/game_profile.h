@@ -39,6 +39,11 @@ struct Light {
     double ambient = 0.55;  // 0 ... 1: the light of a face turned away
     // Toward the light, in the Y-up world; any length but zero.
     glm::dvec3 towardLight{0.35, 0.8, 0.55};
+    // What a sprite's faces lose of it, each face as a whole (core/sprite/face_shade.h). 0 ... 1:
+    // how dark a face gets that others stand around, and how much of the light from towardLight
+    // misses one that lies in shadow. 0: none, and no ray is cast for it.
+    double occlusion = 0.0;
+    double shadow = 0.0;
     bool operator==(const Light&) const = default;
 };
 

@@ -18,7 +18,7 @@ GameProfile unusualProfile() {
     profile.minification = false;
     profile.viewStepDegrees = 11.25;
     profile.outline = {false, Rgba8(255, 16, 1, 255)};
-    profile.light = {0.125, {-1.0, 2.5, 1e-3}};
+    profile.light = {0.125, {-1.0, 2.5, 1e-3}, 0.3, 0.7};
     profile.shading = Shading::palette;
     return profile;
 }
@@ -108,6 +108,8 @@ TEST(ProfileJson, FieldErrorsNameTheField) {
     expectError(withField("\"light\": {\"towardLight\": [0, 1, true]}"),
                 "light.towardLight[2]: must be a number");
     expectError(withField("\"light\": {\"towardLight\": [0, 0, 0]}"), "ight");
+    expectError(withField("\"light\": {\"occlusion\": 1.5}"), "light.occlusion is 1.5");
+    expectError(withField("\"light\": {\"shadow\": true}"), "light.shadow: must be a number");
 }
 
 TEST(ProfileJson, DeepNestingIsRefused) {

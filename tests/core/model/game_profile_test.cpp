@@ -25,6 +25,8 @@ TEST(GameProfile, TheDefaultsAreValidAndAsDesigned) {
     EXPECT_EQ(profile.voxelSizeMetres, 0.1);
     EXPECT_EQ(profile.sigma, 4.0);
     EXPECT_EQ(profile.outline.colour, Rgba8(0, 0, 0, 255));
+    EXPECT_EQ(profile.light.occlusion, 0.0);
+    EXPECT_EQ(profile.light.shadow, 0.0);
 }
 
 TEST(GameProfile, MessagesNameFieldValueAndRange) {
@@ -38,6 +40,10 @@ TEST(GameProfile, MessagesNameFieldValueAndRange) {
               "light.towardLight.y is nan; it must be between -1e+06 and 1e+06");
     EXPECT_EQ(messageFor([](GameProfile& p) { p.light.towardLight = glm::dvec3(0.0); }),
               "light.towardLight has no length; it must point toward the light");
+    EXPECT_EQ(messageFor([](GameProfile& p) { p.light.occlusion = -0.5; }),
+              "light.occlusion is -0.5; it must be between 0 and 1");
+    EXPECT_EQ(messageFor([](GameProfile& p) { p.light.shadow = 2.0; }),
+              "light.shadow is 2; it must be between 0 and 1");
     EXPECT_EQ(messageFor([](GameProfile& p) { p.outline.colour.w = 128; }),
               "outline.colour has alpha 128; it must be 255");
     EXPECT_EQ(messageFor([](GameProfile& p) { p.depth = static_cast<DepthRule>(3); }),
@@ -60,6 +66,8 @@ TEST(GameProfile, EveryNumberHasARange) {
         {[](GameProfile& p) -> double& { return p.viewStepDegrees; }, 0, 45},
         {[](GameProfile& p) -> double& { return p.light.ambient; }, 0, 1},
         {[](GameProfile& p) -> double& { return p.light.towardLight.x; }, -1e6, 1e6},
+        {[](GameProfile& p) -> double& { return p.light.occlusion; }, 0, 1},
+        {[](GameProfile& p) -> double& { return p.light.shadow; }, 0, 1},
     };
     for (const Field& field : fields) {
         const auto valid = [&](double value) {
