@@ -18,13 +18,14 @@ std::string describe(const ImageComparison& c) {
                   "pixels          %llu\n"
                   "mismatched      %llu (%.4f %%)\n"
                   "silhouette XOR  %llu, IoU %.6f, boundary IoU %.6f\n"
-                  "FLIP mean       %.6f\n"
+                  "FLIP mean       %.6f, inside %.6f\n"
                   "PSNR            %s\n"
                   "SSIM            %.6f\n",
                   static_cast<unsigned long long>(c.pixels),
                   static_cast<unsigned long long>(c.mismatched), 100.0 * c.mismatchRate,
                   static_cast<unsigned long long>(c.silhouetteXor), c.iou, c.boundaryIou,
-                  c.flipMean, c.psnr ? (std::to_string(*c.psnr) + " dB").c_str() : "equal", c.ssim);
+                  c.flipMean, c.flipInside,
+                  c.psnr ? (std::to_string(*c.psnr) + " dB").c_str() : "equal", c.ssim);
     return text;
 }
 
@@ -43,6 +44,7 @@ Result<Report> compare(const Options& options) {
                    {"iou", c->iou},
                    {"boundary_iou", c->boundaryIou},
                    {"flip_mean", c->flipMean},
+                   {"flip_inside", c->flipInside},
                    {"psnr", c->psnr ? Json(*c->psnr) : Json(nullptr)},
                    {"ssim", c->ssim}};
     report.text = describe(*c);

@@ -50,14 +50,36 @@ double squaredError(Rgba8 a, Rgba8 b) {
     return sum;
 }
 
-}  // namespace
-
-Result<ImageComparison> compareImages(const Image& a, const Image& b) {
+Status comparable(const Image& a, const Image& b) {
     if (a.width != b.width || a.height != b.height) {
         return fail("the pictures differ in size: " + sizeText(a) + " and " + sizeText(b));
     }
     if (a.pixels.empty()) return fail("the pictures are empty");
+    return {};
+}
 
+double meanWhereEither(const Plane& errors, const Mask& a, const Mask& b) {
+    double sum = 0.0;
+    std::uint64_t count = 0;
+    for (std::size_t k = 0; k < errors.values.size(); ++k) {
+        if (a.set[k] == 0 && b.set[k] == 0) continue;
+        sum += errors.values[k];
+        ++count;
+    }
+    return count == 0 ? 0.0 : sum / static_cast<double>(count);
+}
+
+}  // namespace
+
+Result<double> flipInside(const Image& a, const Image& b) {
+    if (const Status can = comparable(a, b); !can) return Failure(can.error());
+    if (a == b) return 0.0;
+    return meanWhereEither(flipMap(overBackground(a), overBackground(b)), silhouetteOf(a),
+                           silhouetteOf(b));
+}
+
+Result<ImageComparison> compareImages(const Image& a, const Image& b) {
+    if (const Status can = comparable(a, b); !can) return Failure(can.error());
     ImageComparison result;
     result.pixels = a.pixels.size();
     double errorSum = 0.0;
@@ -83,6 +105,7 @@ Result<ImageComparison> compareImages(const Image& a, const Image& b) {
     const Image shownB = overBackground(b);
     const Plane flip = flipMap(shownA, shownB);
     result.flipMean = std::accumulate(flip.values.begin(), flip.values.end(), 0.0) / pixels;
+    result.flipInside = meanWhereEither(flip, inA, inB);
     result.ssim = meanSsim(lumaOf(shownA), lumaOf(shownB));
     return result;
 }

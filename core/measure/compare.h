@@ -21,11 +21,16 @@ struct ImageComparison {
     double iou = 1.0;                 // of the silhouettes; 1 when both are empty
     double boundaryIou = 1.0;         // of their borders, see core/measure/mask.h
     double flipMean = 0.0;            // see core/measure/flip.h; 67 pixels a degree
+    double flipInside = 0.0;          // the mean over what is opaque in either; 0 when nothing is
     std::optional<double> psnr;       // decibels over RGBA, premultiplied; none when equal
     double ssim = 1.0;                // see core/measure/ssim.h; of the luma
 };
 
 // Fails when the sizes differ or a picture is empty.
 [[nodiscard]] Result<ImageComparison> compareImages(const Image& a, const Image& b);
+
+// ImageComparison::flipInside alone: how different the things in two pictures look, however much
+// empty room there is around them. Fails as compareImages does.
+[[nodiscard]] Result<double> flipInside(const Image& a, const Image& b);
 
 }  // namespace voxprite

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "core/measure/flip.h"
+
 namespace voxprite {
 namespace {
 
@@ -113,6 +115,52 @@ TEST(CompareImages, RefusesWhatCannotBeCompared) {
     EXPECT_NE(sizes.error().message.find("4x5 and 5x4"), std::string::npos)
         << sizes.error().message;
     EXPECT_FALSE(compareImages(Image(0, 0), Image(0, 0)));
+}
+
+TEST(CompareImages, FlipInsideDoesNotDependOnTheEmptyRoomAround) {
+    const auto framed = [](int edge, Rgba8 colour) {
+        Image image(edge, edge);
+        const int from = edge / 2 - 6;
+        for (int y = from; y < from + 12; ++y) {
+            for (int x = from; x < from + 12; ++x) image.at(x, y) = colour;
+        }
+        return image;
+    };
+    const Rgba8 red(200, 40, 30, 255), green(40, 160, 60, 255);
+    const auto small = compareImages(framed(60, red), framed(60, green));
+    const auto large = compareImages(framed(120, red), framed(120, green));
+    ASSERT_TRUE(small && large);
+    EXPECT_GT(small->flipInside, 0.2);
+    EXPECT_NEAR(large->flipInside, small->flipInside, 1e-9);
+    EXPECT_GT(small->flipMean, 2.0 * large->flipMean);
+}
+
+TEST(CompareImages, FlipInsideIsTheMeanOverEithersSilhouette) {
+    Image a(50, 40), b(50, 40);
+    for (int y = 10; y < 30; ++y) {
+        for (int x = 10; x < 30; ++x) a.at(x, y) = Rgba8(230, 220, 40, 255);
+        for (int x = 17; x < 37; ++x) b.at(x, y) = Rgba8(230, 220, 40, 255);
+    }
+    const auto onGrey = [](Image image) {
+        for (Rgba8& pixel : image.pixels) {
+            if (pixel.w == 0) pixel = kComparisonBackground;
+        }
+        return image;
+    };
+    const Plane errors = flipMap(onGrey(a), onGrey(b));
+    double sum = 0.0;
+    for (int y = 10; y < 30; ++y) {
+        for (int x = 10; x < 37; ++x) sum += errors.at(x, y);
+    }
+    const auto whole = compareImages(a, b);
+    const auto alone = flipInside(a, b);
+    ASSERT_TRUE(whole && alone);
+    EXPECT_NEAR(whole->flipInside, sum / (20 * 27), 1e-12);
+    EXPECT_EQ(*alone, whole->flipInside);
+    EXPECT_EQ(*flipInside(a, a), 0.0);
+    EXPECT_EQ(*flipInside(Image(5, 5), Image(5, 5, Rgba8(9, 9, 9, 0))), 0.0);
+    EXPECT_FALSE(flipInside(a, Image(50, 41)));
+    EXPECT_FALSE(flipInside(Image(), Image()));
 }
 
 }  // namespace
