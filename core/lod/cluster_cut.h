@@ -11,7 +11,7 @@
 // every eye, which distances of centres do not.
 //
 // Why rounding opens no hole. Going up one level doubles the error at least. A computed distance is
-// off by at most d = 2^-19 * (reach of the spheres + distance of their origin), in world units,
+// off by at most d = 2^-18 * (reach of the spheres + distance of their origin), in world units,
 // and `near` is never below 4 d. So a parent's computed distance is at most (1 + 1/2) times its
 // child's, its computed error never below its child's, and the intervals of a way to the root
 // still tile [0, infinity). Other orders of evaluation, other roundings of a division or a square
