@@ -112,4 +112,20 @@ glm::dmat3 snapAxes(const glm::dmat3& voxelAxes, double stepDegrees, ViewHistory
     return voxelAxesOf({degreesOf(steps.x), degreesOf(steps.y), degreesOf(steps.z)});
 }
 
+glm::dmat3 rolledToMatch(const glm::dmat3& plane, const glm::dmat3& seen, const glm::dmat3& shown) {
+    // Procrustes in the plane: the mean of the products of drawn and true places (Kabsch 1976).
+    const double sine = glm::dot(shown[0], seen[1]) - glm::dot(shown[1], seen[0]);
+    const double cosine = glm::dot(shown[0], seen[0]) + glm::dot(shown[1], seen[1]);
+    const double size = std::hypot(sine, cosine);
+    constexpr double kSame = 1e-9;
+    if (!(size > kSame) || (std::abs(sine) < kSame * size && cosine > 0.0)) return plane;
+    const double s = sine / size;
+    const double c = cosine / size;
+    return {plane[0] * c + plane[1] * s, plane[1] * c - plane[0] * s, plane[2]};
+}
+
+double angleBetween(glm::dvec3 a, glm::dvec3 b) {
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
 }  // namespace voxprite
