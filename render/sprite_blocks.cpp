@@ -137,18 +137,17 @@ SpriteBlock screenBlock(const SpriteView& view, const LatticeView& visible,
     block.camera_distance = static_cast<float>(view.planeDepthMetres);
     fillMapping(block, view, visible, camera);
 
-    const glm::dvec3 size(placed.modelSize);
-    const glm::dvec3 cornerFromMiddle = glm::dvec3(octree.size() / 2) - 0.5 * size;
+    const glm::dvec3 cornerFromCentre = glm::dvec3(octree.size() / 2) - view.centreVoxels;
     const double stepsPerVoxel = std::ldexp(1.0, view.lattice.positionBits);
     block.depth_per_step =
         toVec4(view.depthPerVoxelMetres / stepsPerVoxel,
-               view.planeDepthMetres + glm::dot(view.depthPerVoxelMetres, cornerFromMiddle));
+               view.planeDepthMetres + glm::dot(view.depthPerVoxelMetres, cornerFromCentre));
 
     block.ray_dir_local = glm::vec3(view.ortho.forward);
     block.camera_up_local = glm::vec3(view.ortho.up);
     block.voxel_size = static_cast<float>(placed.voxelSizeMetres);
     block.sigma = static_cast<float>(view.sigmaInForce);
-    block.anchor_to_center = glm::vec3(0.5 * size - placed.anchor);
+    block.anchor_to_center = glm::vec3(placed.centreVoxels() - placed.anchor);
     block.light_dir =
         glm::vec3(glm::transpose(placed.worldFromVoxelAxes) * profile.light.towardLight);
     return block;

@@ -30,7 +30,7 @@ glm::dvec3 PlacedEntity::centreMetres() const {
 }
 
 double PlacedEntity::radiusMetres() const {
-    return glm::length(centreVoxels()) * metresPerVoxel();
+    return glm::length(halfVoxels()) * metresPerVoxel();
 }
 
 glm::dmat3 entityRotation(const Entity& entity) {
@@ -56,6 +56,7 @@ PlacedEntity placeEntity(const Entity& entity, const IBox& bounds, const GamePro
 
 Status validate(const PlacedEntity& entity) {
     if (!finite(entity.anchor)) return fail("entity: the anchor is not finite");
+    if (!finite(entity.centreFromMiddle)) return fail("entity: the centre is not finite");
     if (!finite(entity.anchorMetres)) return fail("entity: the position is not finite");
     if (auto ok = checkVoxelSize("entity: the voxel size", entity.voxelSizeMetres); !ok) return ok;
     if (auto ok = checkRange("entity: the scale", entity.scale, 1e-3, 1e3); !ok) return ok;
@@ -80,7 +81,7 @@ double groundClearanceMetres(const GameProfile& profile) {
 }
 
 glm::dvec3 proxyHalfMetres(const PlacedEntity& entity, double sigmaInForce) {
-    return entity.centreVoxels() * entity.metresPerVoxel() + entity.voxelSizeMetres / sigmaInForce;
+    return entity.halfVoxels() * entity.metresPerVoxel() + entity.voxelSizeMetres / sigmaInForce;
 }
 
 std::array<glm::dvec3, 8> proxyCorners(const PlacedEntity& entity, double sigmaInForce) {

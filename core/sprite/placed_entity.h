@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
@@ -20,12 +21,22 @@ struct PlacedEntity {
     double scale = 1.0;
     glm::dvec3 anchorMetres{0.0};  // where the anchor stands
     double voxelSizeMetres = 0.1;
+    // From the middle of the model's box to its centre, in voxels: zero but for a stand-in whose
+    // box is rounded out to whole cells (core/sprite/coarse_entity.h). Plane, depth and proxy
+    // belong to the centre.
+    glm::dvec3 centreFromMiddle{0.0};
 
     [[nodiscard]] double metresPerVoxel() const { return voxelSizeMetres * scale; }
     [[nodiscard]] glm::dvec3 worldFromVoxel(glm::dvec3 voxel) const;
-    [[nodiscard]] glm::dvec3 centreVoxels() const { return glm::dvec3(modelSize) * 0.5; }
+    [[nodiscard]] glm::dvec3 centreVoxels() const {
+        return glm::dvec3(modelSize) * 0.5 + centreFromMiddle;
+    }
+    // Half of the smallest box around the centre that holds the model's.
+    [[nodiscard]] glm::dvec3 halfVoxels() const {
+        return glm::dvec3(modelSize) * 0.5 + glm::abs(centreFromMiddle);
+    }
     [[nodiscard]] glm::dvec3 centreMetres() const;
-    [[nodiscard]] double radiusMetres() const;  // of the sphere around the model's box
+    [[nodiscard]] double radiusMetres() const;  // of the sphere round the centre and the box
 };
 
 [[nodiscard]] PlacedEntity placeEntity(const Entity& entity, const IBox& bounds,

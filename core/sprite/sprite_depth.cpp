@@ -58,7 +58,7 @@ double spriteDepth(const SpriteView& view, const PlacedEntity& entity, const Cam
     if (rule == DepthRule::centre) return view.planeDepthMetres;
     const glm::dvec3 perVoxel = view.depthPerVoxelMetres;
     const double margin = view.metresPerPx / entity.metresPerVoxel();
-    const double toCorner = glm::dot(glm::abs(perVoxel), entity.centreVoxels() + margin);
+    const double toCorner = glm::dot(glm::abs(perVoxel), entity.halfVoxels() + margin);
     const double nearest = std::max(view.planeDepthMetres - toCorner, camera.nearMetres);
     if (rule == DepthRule::perPixel) return nearest;
     const double ground = nearestGround(view, camera, entity.anchorMetres.y - camera.eyeMetres.y);
@@ -71,7 +71,6 @@ std::vector<float> pixelDepths(const SpriteView& view, const OctreeView& octree,
     constexpr float none = std::numeric_limits<float>::infinity();
     const auto width = static_cast<std::size_t>(buffer.size.x);
     std::vector<float> depths(buffer.ids.size(), none);
-    const glm::dvec3 centre = glm::dvec3(octree.size) * 0.5;
     const LatticeCaster caster(octree, view.lattice);
     parallelFor(buffer.size.y, threads, [&](int firstRow, int lastRow) {
         for (int row = firstRow; row < lastRow; ++row)
@@ -83,7 +82,7 @@ std::vector<float> pixelDepths(const SpriteView& view, const OctreeView& octree,
                                        buffer.first.y + buffer.size.y - 1 - row};
                 const glm::ivec3 voxel = caster.cast(pixel).voxel;
                 const glm::dvec3 fromCentre =
-                    entryPoint(rayOf(view.lattice, pixel), voxel) - centre;
+                    entryPoint(rayOf(view.lattice, pixel), voxel) - view.centreVoxels;
                 const double depth =
                     view.planeDepthMetres + glm::dot(view.depthPerVoxelMetres, fromCentre);
                 depths[at] = static_cast<float>(std::max(depth, view.depthMetres));

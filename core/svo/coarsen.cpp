@@ -127,8 +127,12 @@ class Coarsener {
         if (buried) {
             all_.add(static_cast<std::uint8_t>(hood.word), std::uint64_t{1} << (3 * log2Edge));
         } else if (log2Edge == 0) {
+            const auto openFaces = std::count(hood.beside.begin(), hood.beside.end(), 0u);
             all_.add(static_cast<std::uint8_t>(hood.word), 1);
-            exposed_.add(static_cast<std::uint8_t>(hood.word), 1);
+            if (openFaces > 0) {
+                exposed_.add(static_cast<std::uint8_t>(hood.word),
+                             static_cast<std::uint64_t>(openFaces));
+            }
         } else {
             for (unsigned octant = 0; octant < 8; ++octant) {
                 count(childHood(hood, octant), log2Edge - 1);

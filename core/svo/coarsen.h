@@ -1,10 +1,13 @@
 // A coarser octree: the level of detail that the very same casters and shaders draw.
 //
 // A cell of the coarse model is a cube of 2^levels voxels an edge; it is solid when it holds
-// anything, so that nothing that was seen disappears. Its material is the commonest one among the
-// voxels that can be seen, those with an empty neighbour across a face (an artist's colours lie on
-// the surface, and what a shell is filled with must not shine through); each counts once, the
-// lowest index wins a tie. A cell whose voxels are all buried takes the commonest of all.
+// anything, so that nothing that was seen disappears. Its material is the commonest one on the
+// faces that can be seen, those with nothing beside them (an artist's colours lie on the surface,
+// and what a shell is filled with must not shine through); the lowest index wins a tie. A cell
+// whose voxels are all buried takes the commonest of all. Over all voxels instead of open faces the
+// colours of the samples are 2 to 4 % farther from those of the fine model (mean distance in OKLab
+// where both are hit, 16 views: 0.084, 0.116, 0.141 for 1, 2, 3 levels instead of 0.086, 0.119,
+// 0.146), those of real files 11 % (0.048 instead of 0.053 for one level).
 //
 // Space   cells lie at multiples of 2^levels of *entity space*, not of the model's corner: drawing
 // at one end of a model, which moves the corner, never changes the cells at the other. The coarse
