@@ -19,12 +19,22 @@ enum class BlockBinding : std::uint32_t {
     spriteDraw = 2,
     camera = 3,
     backdrop = 4,
+    occlusionRays = 5,
     voxelView = 6,
-    overlay = 7
+    overlay = 7,
+    clusterCut = 8,
+    clusterDraw = 9
 };
 
 // binding = N of each buffer
-enum class BufferBinding : std::uint32_t { sprites = 0, spriteCorners = 1, blobs = 2 };
+enum class BufferBinding : std::uint32_t {
+    sprites = 0,
+    spriteCorners = 1,
+    blobs = 2,
+    clusterPages = 3,
+    clusterCuts = 4,
+    clusterCommands = 5
+};
 
 // binding = N of each texture
 enum class TextureUnit : std::uint32_t { svo = 0, palette = 1, spriteColours = 2, spriteIds = 3 };

@@ -38,6 +38,19 @@ class Shader {
     GLuint id_;
 };
 
+Status link(const Program& program, const std::string& what) {
+    glLinkProgram(program.id());
+    GLint linked = 0;
+    glGetProgramiv(program.id(), GL_LINK_STATUS, &linked);
+    if (linked != 0) return {};
+    GLint length = 0;
+    glGetProgramiv(program.id(), GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(length), '\0');
+    glGetProgramInfoLog(program.id(), length, &length, log.data());
+    log.resize(static_cast<std::size_t>(length));
+    return fail(what + " cannot be linked: " + log);
+}
+
 void uploadAndBind(Buffer& buffer, GLenum target, GLuint binding, const void* data,
                    std::size_t bytes) {
     if (!buffer) buffer = createBuffer();
@@ -61,19 +74,26 @@ Result<Program> compileProgram(const std::string& vertex, const std::string& fra
     Program program{glCreateProgram()};
     glAttachShader(program.id(), vertexShader.id());
     glAttachShader(program.id(), fragmentShader.id());
-    glLinkProgram(program.id());
-    GLint linked = 0;
-    glGetProgramiv(program.id(), GL_LINK_STATUS, &linked);
-    if (linked == 0) {
-        GLint length = 0;
-        glGetProgramiv(program.id(), GL_INFO_LOG_LENGTH, &length);
-        std::string log(static_cast<std::size_t>(length), '\0');
-        glGetProgramInfoLog(program.id(), length, &length, log.data());
-        log.resize(static_cast<std::size_t>(length));
-        return fail("the shaders " + vertex + " and " + fragment + " do not link: " + log);
+    if (const Status linked = link(program, "the shaders " + vertex + " and " + fragment);
+        !linked) {
+        return tl::unexpected(linked.error());
     }
     glDetachShader(program.id(), vertexShader.id());
     glDetachShader(program.id(), fragmentShader.id());
+    return program;
+}
+
+Result<Program> compileCompute(const std::string& name, const std::vector<std::string>& defines) {
+    Shader shader(GL_COMPUTE_SHADER);
+    if (const Status done = shader.compile(name, defines); !done) {
+        return tl::unexpected(done.error());
+    }
+    Program program{glCreateProgram()};
+    glAttachShader(program.id(), shader.id());
+    if (const Status linked = link(program, "the shader " + name); !linked) {
+        return tl::unexpected(linked.error());
+    }
+    glDetachShader(program.id(), shader.id());
     return program;
 }
 

@@ -18,6 +18,10 @@ namespace voxprite::gl {
 [[nodiscard]] Result<Program> compileProgram(const std::string& vertex, const std::string& fragment,
                                              const std::vector<std::string>& defines = {});
 
+// A program of one compute shader.
+[[nodiscard]] Result<Program> compileCompute(const std::string& name,
+                                             const std::vector<std::string>& defines = {});
+
 void useProgram(const Program& program);
 
 // A uniform block on the GPU that mirrors `Block` (std140, sizes checked beside each struct).
