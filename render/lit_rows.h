@@ -1,5 +1,5 @@
-// Lit palettes as a texture of words of RGBA8: column = material, three rows each, one for each
-// axis of faces.
+// Lit palettes as a texture of words of RGBA8: column = material, and as many rows as a palette has
+// kinds of faces.
 #pragma once
 
 #include <cstdint>
@@ -16,16 +16,20 @@ class LitRows {
     // The first row of the palette of this number (see LitPalettes), uploaded when it is new.
     // Nothing when all rows are taken: forgetAll makes room, once what was given has been drawn.
     [[nodiscard]] std::optional<int> rowOf(std::uint64_t number, const LitPalette& lit);
-    void forgetAll() { rows_.clear(); }
+    void forgetAll() {
+        rows_.clear();
+        used_ = 0;
+    }
     [[nodiscard]] std::uint32_t texture() const { return texture_.id(); }
 
-    static constexpr int kMostPalettes = 2048;  // 6 MiB
+    static constexpr int kMostRows = 3 * 2048;  // 6 MiB
 
   private:
-    void grow();
+    void grow(int rows);
 
     gl::Texture texture_;
-    int capacity_ = 0;  // palettes
+    int capacity_ = 0;  // rows
+    int used_ = 0;
     std::unordered_map<std::uint64_t, int> rows_;
 };
 

@@ -4,15 +4,6 @@
 
 namespace voxprite {
 
-void PaletteTexture::set(const LitPalette& lit) {
-    std::vector<Rgba8> pixels;
-    pixels.reserve(3 * 256);
-    for (const ShadedColours& face : lit.faces) {
-        pixels.insert(pixels.end(), face.begin(), face.end());
-    }
-    set(std::move(pixels));
-}
-
 void PaletteTexture::set(std::vector<Rgba8> rows) {
     if (rows == pixels_) return;
     const auto height = static_cast<GLsizei>(rows.size() / 256);

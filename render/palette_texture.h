@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "core/base/image.h"
-#include "core/sprite/sprite_buffer.h"
 #include "render/gl/handles.h"
 #include "render/gpu_blocks.h"
 
@@ -14,7 +13,6 @@ namespace voxprite {
 class PaletteTexture {
   public:
     void set(std::vector<Rgba8> rows);  // 256 colours each
-    void set(const LitPalette& lit);    // a row for each face axis
     [[nodiscard]] std::uint32_t texture() const { return texture_.id(); }
 
   private:

@@ -21,11 +21,12 @@ bool same(const Camera& a, const Camera& b) {
 bool same(const PlacedEntity& a, const PlacedEntity& b) {
     return a.anchorMetres == b.anchorMetres && a.worldFromVoxelAxes == b.worldFromVoxelAxes &&
            a.modelSize == b.modelSize && a.anchor == b.anchor && a.scale == b.scale &&
-           a.voxelSizeMetres == b.voxelSizeMetres;
+           a.centreFromMiddle == b.centreFromMiddle && a.voxelSizeMetres == b.voxelSizeMetres;
 }
 
 bool same(const ViewHistory& a, const ViewHistory& b) {
-    return a.basis == b.basis && a.snappedSteps == b.snappedSteps && a.halvings == b.halvings;
+    return a.basis == b.basis && a.snappedSteps == b.snappedSteps && a.halvings == b.halvings &&
+           a.viewOfSet == b.viewOfSet;
 }
 
 // The whole sprite where most of it is on the screen: it then stays the same while it moves across
@@ -136,7 +137,7 @@ Status SceneLook::look(Record& record, const SceneEntity& entity, const Camera& 
     record.seen = true;
     sprite.key = {record.octreeRevision, 0, shownLattice(view.lattice, visible), 0};
     sprite.block =
-        screenBlock(view, sprite.key.lattice, entity.placed, *entity.octree, camera, profile);
+        screenBlock(view, sprite.key.lattice, entity.placed, *entity.octree, camera);
     sprite.corners = screenCorners(view, sprite.key.lattice, camera);
     sprite.light8 = view.light8;
     sprite.narrow = castsNarrow(sprite.key.lattice, entity.octree->size());

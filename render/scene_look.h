@@ -21,7 +21,7 @@ struct SeenSprite {
     SpriteKey key;      // what is cast: the part of the lattice that is shown
     SpriteBlock block;  // all but the places of octree, palette and atlas
     SpriteCorners corners{};
-    std::array<std::uint8_t, 3> light8{};
+    FaceLights light8;
     bool narrow = true;           // see castsNarrow
     std::uint64_t fragments = 0;  // the screen pixels of the sprite's rectangle
     double sigmaInForce = 0.0;

@@ -93,6 +93,7 @@ struct SceneRenderer::Impl {
     SpriteProgram single{"sprite_quad.vert", "sprite_single.frag"};
     SpriteShapes shapes;
     gl::StorageBuffer sprites, corners;
+    OcclusionRays occlusionRays;
     Batch batch;
     // The batch, on the GPU too, is all that the look before saw, to be drawn in this way.
     std::optional<SpriteMode> held;
@@ -186,7 +187,7 @@ Status SceneRenderer::Impl::castBatch(Pass& pass) {
         cast.job.framebuffer = cast.place.framebuffer();
         jobs.push_back(cast.job);
     }
-    return caster.cast(jobs, litRows.texture(), pass.profile.outline, pass.deep());
+    return caster.cast(jobs, litRows.texture(), SpriteLook(pass.profile), pass.deep());
 }
 
 // Casts and draws what is gathered.
@@ -233,12 +234,16 @@ Status SceneRenderer::Impl::drawRuns(Pass& pass) {
     gl::apply({.depthTest = gl::DepthTest::nearer,
                .depthWrite = true,
                .cull = pass.boxes() ? gl::Cull::frontFaces : gl::Cull::none});
-    SpriteDrawBlock block = drawBlock(pass.profile.outline);
+    const SpriteLook spriteLook(pass.profile);
+    SpriteDrawBlock block = drawBlock(spriteLook);
+    const bool shaded = !buffered && spriteLook.castsFromFaces();
+    if (shaded) occlusionRays.bind();
     block.depth_from_metres = glm::vec4(depthFromMetres(pass.camera));
     for (const SpriteRun& run : batch.runs) {
         SpriteVariants variants = kPlain;
         if (pass.boxes()) variants |= kProxyBox;
         if (pass.deep()) variants |= kPerPixelDepth;
+        if (shaded) variants |= kFaceShade;
         // What is finished looks at the lattice only for the depth of a pixel of its own.
         if (!run.narrow && (pass.deep() || !buffered)) variants |= kWideLattice;
         if (const Status ready = (buffered ? blit : single).use(variants); !ready) return ready;

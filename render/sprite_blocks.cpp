@@ -104,7 +104,7 @@ bool castsNarrow(const LatticeView& lattice, glm::ivec3 modelSize) {
     return true;
 }
 
-SpriteBlock castBlock(const LatticeView& lattice, const GpuOctree& octree) {
+SpriteBlock castBlock(const LatticeView& lattice, const GpuOctree& octree, glm::ivec3 towardLight) {
     const glm::ivec3 centre = octree.size() / 2;
     SpriteBlock block;
     block.region_size = lattice.size;
@@ -118,6 +118,7 @@ SpriteBlock castBlock(const LatticeView& lattice, const GpuOctree& octree) {
     block.svo_max_depth = static_cast<std::uint32_t>(octree.maxDepth());
     block.svo_model_size = glm::uvec3(octree.size());
     block.tree_from_voxel = octree.treeFromVoxel();
+    block.light_dir = glm::vec3(towardLight);
     // On a target of the buffer's own size each fragment is a cell.
     block.pixel_from_screen = {glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0)};
     return block;
@@ -130,9 +131,8 @@ void placeInputs(SpriteBlock& block, const OctreePlace& octree, int paletteRow) 
 }
 
 SpriteBlock screenBlock(const SpriteView& view, const LatticeView& visible,
-                        const PlacedEntity& placed, const GpuOctree& octree, const Camera& camera,
-                        const GameProfile& profile) {
-    SpriteBlock block = castBlock(visible, octree);
+                        const PlacedEntity& placed, const GpuOctree& octree, const Camera& camera) {
+    SpriteBlock block = castBlock(visible, octree, view.light8.rays.towardLight);
     block.billboard_depth = camera.reversedDepth(view.depthMetres);
     block.camera_distance = static_cast<float>(view.planeDepthMetres);
     fillMapping(block, view, visible, camera);
@@ -148,8 +148,6 @@ SpriteBlock screenBlock(const SpriteView& view, const LatticeView& visible,
     block.voxel_size = static_cast<float>(placed.voxelSizeMetres);
     block.sigma = static_cast<float>(view.sigmaInForce);
     block.anchor_to_center = glm::vec3(placed.centreVoxels() - placed.anchor);
-    block.light_dir =
-        glm::vec3(glm::transpose(placed.worldFromVoxelAxes) * profile.light.towardLight);
     return block;
 }
 
@@ -160,10 +158,12 @@ SpriteCorners screenCorners(const SpriteView& view, const LatticeView& visible,
     return clipCorners(quadCorners(view, visible), depth, camera);
 }
 
-SpriteDrawBlock drawBlock(const Outline& outline) {
+SpriteDrawBlock drawBlock(const SpriteLook& look) {
     SpriteDrawBlock block;
-    block.outline_enabled = outline.enabled ? 1 : 0;
-    block.outline_colour = std::bit_cast<std::uint32_t>(outline.colour) | 0xFF00'0000u;
+    block.outline_enabled = look.outline.enabled ? 1 : 0;
+    block.outline_colour = std::bit_cast<std::uint32_t>(look.outline.colour) | 0xFF00'0000u;
+    block.occlusion_shown = look.occlusion ? 1 : 0;
+    block.shadows_shown = look.shadows ? 1 : 0;
     return block;
 }
 

@@ -57,7 +57,8 @@ struct SpriteDrawBlock {
     std::int32_t outline_enabled = 1;
     std::int32_t first_sprite = 0;
     std::int32_t sprite_count = 0;
-    std::array<std::int32_t, 2> padding{};
+    std::int32_t occlusion_shown = 0;
+    std::int32_t shadows_shown = 0;
 };
 static_assert(sizeof(SpriteDrawBlock) == 48);
 
@@ -65,19 +66,33 @@ static_assert(sizeof(SpriteDrawBlock) == 48);
 // 2^22 steps, so that a quotient taken in single precision is off by one at most.
 [[nodiscard]] bool castsNarrow(const LatticeView& lattice, glm::ivec3 modelSize);
 
-// What casting `lattice` needs; its first pixel is the cell (0, 0). The octree and the palette are
-// where `placeInputs` puts them.
-[[nodiscard]] SpriteBlock castBlock(const LatticeView& lattice, const GpuOctree& octree);
+// What casting `lattice` needs; its first pixel is the cell (0, 0), and shadow rays run toward
+// `towardLight` (FaceRays). The octree and the palette are where `placeInputs` puts them.
+[[nodiscard]] SpriteBlock castBlock(const LatticeView& lattice, const GpuOctree& octree,
+                                    glm::ivec3 towardLight);
 void placeInputs(SpriteBlock& block, const OctreePlace& octree, int paletteRow);
 
 // For drawing `visible`, the part of view.lattice to show, onto the screen; all but its place in
 // the atlas.
 [[nodiscard]] SpriteBlock screenBlock(const SpriteView& view, const LatticeView& visible,
                                       const PlacedEntity& placed, const GpuOctree& octree,
-                                      const Camera& camera, const GameProfile& profile);
+                                      const Camera& camera);
 [[nodiscard]] SpriteCorners screenCorners(const SpriteView& view, const LatticeView& visible,
                                           const Camera& camera);
 
-[[nodiscard]] SpriteDrawBlock drawBlock(const Outline& outline);
+// The look that all sprites of a draw share.
+struct SpriteLook {
+    Outline outline;
+    bool occlusion = false, shadows = false;  // do faces cast these rays?
+
+    explicit SpriteLook(const GameProfile& profile)
+        : outline(profile.outline),
+          occlusion(hasOcclusion(profile.light)),
+          shadows(hasShadows(profile.light)) {}
+    explicit SpriteLook(const LitPalette& lit)
+        : outline(lit.outline), occlusion(lit.rays.occlusion), shadows(lit.rays.shadows()) {}
+    [[nodiscard]] bool castsFromFaces() const { return occlusion || shadows; }
+};
+[[nodiscard]] SpriteDrawBlock drawBlock(const SpriteLook& look);
 
 }  // namespace voxprite

@@ -32,6 +32,12 @@ gl::Texture dataTexture(glm::ivec2 size) {
     return texture;
 }
 
+SpriteVariants castVariants(const CastJob& job, const SpriteDrawBlock& block) {
+    SpriteVariants variants = job.narrow ? kPlain : kWideLattice;
+    if (block.occlusion_shown != 0 || block.shadows_shown != 0) variants |= kFaceShade;
+    return variants;
+}
+
 void beginTarget(std::uint32_t framebuffer, glm::ivec2 size) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, size.x, size.y);
@@ -95,7 +101,7 @@ void SpriteCaster::needScratch(glm::ivec2 size, bool withIds) {
     scratch_ = SpriteTextures(area(both) <= kRoomyPixels ? both : size, withIds);
 }
 
-Status SpriteCaster::cast(std::vector<CastJob>& jobs, std::uint32_t litRows, const Outline& outline,
+Status SpriteCaster::cast(std::vector<CastJob>& jobs, std::uint32_t litRows, const SpriteLook& look,
                           bool withIds) {
     if (jobs.empty()) return {};
     const auto order = [](const CastJob& job) {
@@ -107,7 +113,8 @@ Status SpriteCaster::cast(std::vector<CastJob>& jobs, std::uint32_t litRows, con
     for (const CastJob& job : jobs) blocks.push_back(job.block);
     sprites_.set(BufferBinding::sprites, std::span<const SpriteBlock>(blocks));
     gl::apply({});
-    const SpriteDrawBlock block = drawBlock(outline);
+    const SpriteDrawBlock block = drawBlock(look);
+    if (look.castsFromFaces()) occlusionRays_.bind();
     for (Run run{0, 0}; run.first < jobs.size(); run.first = run.end) {
         const std::uint32_t target = jobs[run.first].framebuffer;
         while (run.end < jobs.size() && jobs[run.end].framebuffer == target) ++run.end;
@@ -133,8 +140,7 @@ Status SpriteCaster::castInto(const std::vector<CastJob>& jobs, Run run, SpriteD
                jobs[part.end].narrow == first.narrow) {
             ++part.end;
         }
-        if (const Status ready = cast_.use(first.narrow ? kPlain : kWideLattice); !ready)
-            return ready;
+        if (const Status ready = cast_.use(castVariants(first, block)); !ready) return ready;
         bindTexture(TextureUnit::svo, first.octreeTexture);
         block.first_sprite = static_cast<std::int32_t>(part.first);
         block.sprite_count = static_cast<std::int32_t>(part.end - part.first);
@@ -151,7 +157,7 @@ Status SpriteCaster::castInto(const std::vector<CastJob>& jobs, Run run, SpriteD
 }
 
 Status SpriteCaster::castSinglePass(const CastJob& job, std::uint32_t litRows,
-                                    const Outline& outline, SpriteTextures& target) {
+                                    const SpriteLook& look, SpriteTextures& target) {
     // A rectangle over all of the target.
     const std::array<glm::vec4, 4> corners{glm::vec4(-1, -1, 0, 1), glm::vec4(1, -1, 0, 1),
                                            glm::vec4(-1, 1, 0, 1), glm::vec4(1, 1, 0, 1)};
@@ -160,12 +166,13 @@ Status SpriteCaster::castSinglePass(const CastJob& job, std::uint32_t litRows,
     bindTexture(TextureUnit::palette, litRows);
     bindTexture(TextureUnit::svo, job.octreeTexture);
     gl::apply({});
-    if (const Status ready = single_.use(job.narrow ? kPlain : kWideLattice); !ready) return ready;
+    SpriteDrawBlock block = drawBlock(look);
+    if (look.castsFromFaces()) occlusionRays_.bind();
+    if (const Status ready = single_.use(castVariants(job, block)); !ready) return ready;
     beginTarget(target.framebuffer.id(), job.block.region_size);
     const glm::uvec4 empty(kIdEmpty);
     glClearNamedFramebufferuiv(target.framebuffer.id(), GL_COLOR, 0, &empty.x);
     glClearNamedFramebufferuiv(target.framebuffer.id(), GL_COLOR, 1, &empty.x);
-    SpriteDrawBlock block = drawBlock(outline);
     block.sprite_count = 1;
     shapes_.draw(block);
     return {};
@@ -197,13 +204,13 @@ Result<SpriteBuffer> SpriteCaster::castBuffer(const GpuOctree& octree, const Lat
             tile.first = lattice.first + paddedLow;
             tile.size = paddedHigh - paddedLow;
             CastJob& job = jobs.front();
-            job = {castBlock(tile, octree), target.framebuffer.id(), octree.texture(),
-                   castsNarrow(tile, octree.size())};
+            job = {castBlock(tile, octree, lit.rays.towardLight), target.framebuffer.id(),
+                   octree.texture(), castsNarrow(tile, octree.size())};
             placeInputs(job.block, {octree.texture(), 0, octree.payloadOffset()}, *litRow);
             const Status done =
                 mode == SpriteMode::spriteBuffer
-                    ? cast(jobs, bufferLit_.texture(), lit.outline, true)
-                    : castSinglePass(job, bufferLit_.texture(), lit.outline, target);
+                    ? cast(jobs, bufferLit_.texture(), SpriteLook(lit), true)
+                    : castSinglePass(job, bufferLit_.texture(), SpriteLook(lit), target);
             if (!done) return tl::unexpected(done.error());
             readTile(target, low - paddedLow, high - low, low, buffer);
         }

@@ -10,6 +10,7 @@
 #include "render/gl/program.h"
 #include "render/gpu_octree.h"
 #include "render/lit_rows.h"
+#include "render/occlusion_rays.h"
 #include "render/scene_renderer.h"
 #include "render/sprite_programs.h"
 
@@ -44,7 +45,7 @@ class SpriteCaster {
     // All finished sprites, in few draws: for each framebuffer one with rays and one for outlines.
     // Framebuffers hold R32UI, twice `withIds`. Changes the order of the jobs.
     [[nodiscard]] Status cast(std::vector<CastJob>& jobs, std::uint32_t litRows,
-                              const Outline& outline, bool withIds);
+                              const SpriteLook& look, bool withIds);
 
     // The whole buffer read back, by either mode.
     [[nodiscard]] Result<SpriteBuffer> castBuffer(const GpuOctree& octree,
@@ -59,7 +60,7 @@ class SpriteCaster {
     [[nodiscard]] Status castInto(const std::vector<CastJob>& jobs, Run run, SpriteDrawBlock block,
                                   bool withIds);
     [[nodiscard]] Status castSinglePass(const CastJob& job, std::uint32_t litRows,
-                                        const Outline& outline, SpriteTextures& target);
+                                        const SpriteLook& look, SpriteTextures& target);
     void needScratch(glm::ivec2 size, bool withIds);
 
     SpriteProgram cast_{"sprite_region.vert", "sprite_cast.frag"};
@@ -68,6 +69,7 @@ class SpriteCaster {
     SpriteShapes shapes_;
     gl::StorageBuffer sprites_, corners_;
     LitRows bufferLit_;  // of castBuffer
+    OcclusionRays occlusionRays_;
     SpriteTextures scratch_;
 };
 

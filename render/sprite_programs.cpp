@@ -44,6 +44,7 @@ Status SpriteProgram::use(SpriteVariants variants) {
         if ((variants & kPerPixelDepth) != 0) defines.emplace_back("PER_PIXEL_DEPTH");
         if ((variants & kProxyBox) != 0) defines.emplace_back("PROXY_BOX");
         if ((variants & kSpriteIds) != 0) defines.emplace_back("SPRITE_IDS");
+        if ((variants & kFaceShade) != 0) defines.emplace_back("FACE_SHADE");
         Result<gl::Program> compiled = gl::compileProgram(vertex_, fragment_, defines);
         if (!compiled) return tl::unexpected(compiled.error());
         program = std::move(*compiled);

@@ -18,6 +18,7 @@ inline constexpr SpriteVariants kWideLattice = 1;    // rays beyond 31 bits; rig
 inline constexpr SpriteVariants kPerPixelDepth = 2;  // a depth for each pixel
 inline constexpr SpriteVariants kProxyBox = 4;       // the region is the proxy box, not the quad
 inline constexpr SpriteVariants kSpriteIds = 8;      // ids of voxels are kept beside the colours
+inline constexpr SpriteVariants kFaceShade = 16;     // faces cast rays: occlusion, shadows
 
 // A program in all variants, each compiled when first used.
 class SpriteProgram {
@@ -28,7 +29,7 @@ class SpriteProgram {
 
   private:
     std::string vertex_, fragment_;
-    std::array<gl::Program, 16> programs_;
+    std::array<gl::Program, 32> programs_;
 };
 
 // The vertices of any number of sprites.

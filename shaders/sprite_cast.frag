@@ -1,9 +1,11 @@
 // Sprite buffer, first pass: one ray a virtual pixel.
 
 #include "shared/lattice.glsl"
+#include "shared/sprite_draw.glsl"
+#include "shared/sprite_shade.glsl"
 #include "shared/sprite_varyings.glsl"
 
-layout(binding = 1) uniform usampler2D palette_texture;  // lit; column = material, row = face axis
+layout(binding = 1) uniform usampler2D palette_texture;  // lit; column = material, row = face
 
 layout(location = 0) out uint colour;
 layout(location = 1) out uint id;
@@ -15,7 +17,6 @@ void main() {
         id = 0u;
         return;
     }
-    ivec2 shade = ivec2(int(hit.material), palette_row + hit.face_axis);
-    colour = texelFetch(palette_texture, shade, 0).r;
+    colour = texelFetch(palette_texture, ivec2(int(hit.material), shadedRow(hit)), 0).r;
     id = voxelId(hit);
 }

@@ -4,8 +4,9 @@
 #include "shared/lattice.glsl"
 #include "shared/sprite_draw.glsl"
 #include "shared/sprite_mapping.glsl"
+#include "shared/sprite_shade.glsl"
 
-layout(binding = 1) uniform usampler2D palette_texture;  // lit; column = material, row = face axis
+layout(binding = 1) uniform usampler2D palette_texture;  // lit; column = material, row = face
 
 layout(location = 0) out uint colour;
 layout(location = 1) out uint id;
@@ -33,8 +34,7 @@ void main() {
         LatticeHit hit = castLattice(neighbour + region_first);
         if (hit.material == 0u) continue;
         if (k == 0) {
-            ivec2 shade = ivec2(int(hit.material), palette_row + hit.face_axis);
-            colour = texelFetch(palette_texture, shade, 0).r;
+            colour = texelFetch(palette_texture, ivec2(int(hit.material), shadedRow(hit)), 0).r;
             id = voxelId(hit);
         } else {
             colour = outline_colour;

@@ -56,16 +56,24 @@ SpriteBuffer castSprite(const OctreeView& octree, const LatticeView& lattice, co
     buffer.colours.assign(area(buffer.size), Rgba8(0));
     buffer.ids.assign(area(buffer.size), kIdEmpty);
     const LatticeCaster caster(octree, lattice);
+    const FaceShader shader(octree, lit.rays);
     parallelFor(buffer.size.y, threads, [&](int firstRow, int lastRow) {
         std::size_t at =
             static_cast<std::size_t>(firstRow) * static_cast<std::size_t>(buffer.size.x);
+        VoxelFace face;  // the last one that was asked for its shade
+        FaceShade shade;
         for (int row = firstRow; row < lastRow; ++row)
             for (int column = 0; column < buffer.size.x; ++column, ++at) {
                 const glm::ivec2 pixel{lattice.first.x + column,
                                        lattice.first.y + buffer.size.y - 1 - row};
                 const LatticeHit hit = caster.cast(pixel);
                 if (hit.material == 0) continue;
-                buffer.colours[at] = lit.shade(hit.material, hit.faceAxis);
+                if (lit.rays.any()) {
+                    const VoxelFace seen = seenFace(hit, lattice.D);
+                    if (seen != face) shade = shader.shadeOf(seen);
+                    face = seen;
+                }
+                buffer.colours[at] = lit.shade(hit.material, hit.faceAxis, shade);
                 buffer.ids[at] = idOf(hit.voxel, octree.size);
             }
     });

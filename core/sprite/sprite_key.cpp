@@ -24,6 +24,9 @@ class Hash {
         add(std::uint64_t{c.x} | std::uint64_t{c.y} << 8 | std::uint64_t{c.z} << 16 |
             std::uint64_t{c.w} << 24);
     }
+    void add(const std::array<std::uint8_t, 3>& bytes) {
+        add(Rgba8(bytes[0], bytes[1], bytes[2], 0));
+    }
     [[nodiscard]] std::size_t value() const { return static_cast<std::size_t>(state_); }
 
   private:
@@ -44,6 +47,17 @@ std::size_t hashOf(const SpriteKey& key) {
     hash.add(key.lattice.V);
     hash.add(key.lattice.first);
     hash.add(key.lattice.size);
+    return hash.value();
+}
+
+std::size_t LitPalettes::LookHash::operator()(const Look& look) const {
+    Hash hash;
+    hash.add(look.lights.open);
+    hash.add(look.lights.shadowed);
+    hash.add(std::uint64_t{look.lights.occlusion});
+    hash.add(look.lights.rays.towardLight);
+    hash.add(look.outline.colour);
+    hash.add(static_cast<std::uint64_t>(look.shading) << 1 | (look.outline.enabled ? 1 : 0));
     return hash.value();
 }
 
@@ -82,19 +96,13 @@ std::uint64_t LitPalettes::contentOf(const Palette& palette) {
     return sourceOf(palette).content;
 }
 
-LitPalettes::Numbered LitPalettes::of(const Palette& palette, std::array<std::uint8_t, 3> light8,
+LitPalettes::Numbered LitPalettes::of(const Palette& palette, const FaceLights& lights,
                                       const Outline& outline, Shading shading) {
     Source& source = sourceOf(palette);
-    const Rgba8 ink = outline.colour;
-    std::uint64_t key = outline.enabled ? 1 : 0;
-    for (const std::uint8_t byte : {light8[0], light8[1], light8[2], ink.x, ink.y, ink.z}) {
-        key = key << 8 | byte;
-    }
-    key = key << 1 | static_cast<std::uint64_t>(shading);
-    Lit& lit = source.lit[key];
+    Lit& lit = source.lit[{lights, outline, shading}];
     if (lit.number == 0) {
         lit.number = ++lastNumber_;
-        lit.palette = litPalette(source.shader, light8, outline, shading);
+        lit.palette = litPalette(source.shader, lights, outline, shading);
         ++kept_;
     }
     if (lit.usedInFrame != frame_) ++used_;

@@ -17,7 +17,7 @@ struct SpriteKey {
     std::uint64_t modelRevision = 0;  // of the voxels; unique among the models of the cache
     int frame = 0;
     LatticeView lattice;
-    std::uint64_t litPalette = 0;  // its number among LitPalettes
+    std::uint64_t litPalette = 0;  // its number among LitPalettes, which knows the light's rays too
     bool operator==(const SpriteKey&) const = default;
 };
 
@@ -32,8 +32,8 @@ struct std::hash<voxprite::SpriteKey> {
 
 namespace voxprite {
 
-// Gives lit palettes numbers, so that a crowd compares and hashes a number instead of 3 x 256
-// colours: the same palette in the same light has the same number, and no number ever stands for
+// Gives lit palettes numbers, so that a crowd compares and hashes a number instead of thousands
+// of colours: the same palette in the same light has the same number, and no number ever stands for
 // two. Bounded by twice what one frame uses and kSpare more: what the last frame did not use may be
 // forgotten and, should it come again, is worked out and numbered anew.
 class LitPalettes {
@@ -46,13 +46,22 @@ class LitPalettes {
     };
     // Until the next call the palettes that are passed below change neither place nor content.
     void beginFrame();
-    [[nodiscard]] Numbered of(const Palette& palette, std::array<std::uint8_t, 3> light8,
+    [[nodiscard]] Numbered of(const Palette& palette, const FaceLights& lights,
                               const Outline& outline, Shading shading = Shading::multiply);
     // Equal for palettes that are shaded alike (PaletteShader::isOf), and never given to another.
     [[nodiscard]] std::uint64_t contentOf(const Palette& palette);
     [[nodiscard]] std::size_t kept() const { return kept_; }
 
   private:
+    struct Look {
+        FaceLights lights;
+        Outline outline;
+        Shading shading;
+        bool operator==(const Look&) const = default;
+    };
+    struct LookHash {
+        std::size_t operator()(const Look& look) const;
+    };
     struct Lit {
         std::uint64_t number = 0;
         std::uint64_t usedInFrame = 0;
@@ -62,8 +71,7 @@ class LitPalettes {
         PaletteShader shader;
         std::uint64_t content;
         std::uint64_t usedInFrame;
-        // By the lights of the three faces, the shading and the outline, packed.
-        std::unordered_map<std::uint64_t, Lit> lit;
+        std::unordered_map<Look, Lit, LookHash> lit;
     };
     [[nodiscard]] Source& sourceOf(const Palette& palette);
     void forgetUnused();

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <limits>
 
 #include "core/sprite/lattice_memo.h"
 #include "core/sprite/sprite_depth.h"
 #include "core/sprite/view_axes.h"
+#include "core/sprite/view_set.h"
 
 namespace voxprite {
 
@@ -77,17 +79,31 @@ glm::dvec2 anchorShiftPx(const SpriteView& view, const PlacedEntity& entity, con
 
 // Samples lie at (k + offset) virtual pixels from the lattice corner nearest the centre, each in
 // the middle of its pixel.
-glm::dvec2 pixelFromCentreOf(const OrthoView& ortho, glm::ivec3 modelSize) {
+glm::dvec2 pixelFromCentreOf(const OrthoView& ortho, const PlacedEntity& entity) {
     const glm::dvec3 cornerFromCentre =
-        (glm::dvec3(modelSize / 2) - glm::dvec3(modelSize) * 0.5) * ortho.sigmaInForce;
+        (glm::dvec3(entity.modelSize / 2) - entity.centreVoxels()) * ortho.sigmaInForce;
     const glm::dvec2 corner{glm::dot(cornerFromCentre, ortho.right),
                             glm::dot(cornerFromCentre, ortho.up)};
     return 0.5 - sampleOffsetPx(ortho.sigmaInForce) - corner;
 }
 
+// The nearest view of the set instead of `seen`, and the plane turned to match it.
+void snapToSet(const ViewSet& views, SpriteView& view, glm::dmat3& plane, glm::dmat3& seen,
+               ViewHistory* history) {
+    const std::optional<int> before = history != nullptr ? history->viewOfSet : std::nullopt;
+    const int nearest = *views.nearest(-seen[2], before);  // the axes are finite
+    if (history != nullptr) history->viewOfSet = nearest;
+    const glm::dmat3 shown = views.axes(nearest);
+    view.viewOfSet = nearest;
+    view.degreesOff = glm::degrees(angleBetween(shown[2], seen[2]));
+    if (views.roll == SnapshotRoll::matched) plane = rolledToMatch(plane, seen, shown);
+    seen = shown;
+}
+
 Result<SpriteView> makeView(const PlacedEntity& entity, const Camera& camera,
                             const GameProfile& profile, glm::dvec3 centreFromEye,
-                            double sigmaInForce, ViewHistory* history, LatticeMemo* lattices) {
+                            double sigmaInForce, const ViewSet* views, ViewHistory* history,
+                            LatticeMemo* lattices) {
     SpriteView view;
     view.sigmaInForce = sigmaInForce;
     view.metresPerPx = entity.voxelSizeMetres / sigmaInForce;
@@ -98,39 +114,37 @@ Result<SpriteView> makeView(const PlacedEntity& entity, const Camera& camera,
     view.boxAxes = entity.worldFromVoxelAxes;
     view.boxHalfMetres = proxyHalfMetres(entity, sigmaInForce);
 
-    const glm::dmat3 plane = planeAxes(entity, camera, profile.view, centreFromEye, history);
+    glm::dmat3 plane = planeAxes(entity, camera, profile.view, centreFromEye, history);
+    const glm::dmat3 voxelFromWorldAxes = glm::transpose(entity.worldFromVoxelAxes);
+    glm::dmat3 seen = voxelFromWorldAxes * plane;
+    if (views != nullptr)
+        snapToSet(*views, view, plane, seen, history);
+    else if (profile.viewStepDegrees >= kLeastViewStep)
+        seen = snapAxes(seen, profile.viewStepDegrees, history);
     view.right = plane[0];
     view.up = plane[1];
     view.forward = plane[2];
-
-    const glm::dmat3 voxelFromWorldAxes = glm::transpose(entity.worldFromVoxelAxes);
-    glm::dmat3 seen = voxelFromWorldAxes * plane;
-    if (profile.viewStepDegrees >= kLeastViewStep)
-        seen = snapAxes(seen, profile.viewStepDegrees, history);
     view.ortho = {seen[0], seen[1], seen[2], sigmaInForce * entity.scale};
     auto lattice = lattices != nullptr ? lattices->quantise(view.ortho, entity.modelSize)
                                        : quantiseView(view.ortho, entity.modelSize);
     if (!lattice) return Failure(lattice.error());
     view.lattice = *lattice;
-    view.light8 = faceLight(view.lattice.D, voxelFromWorldAxes * profile.light.towardLight,
-                            profile.light.ambient);
+    view.light8 = faceLights(view.lattice.D, voxelFromWorldAxes, profile.light);
 
     if (profile.registration == Registration::anchor)
         view.registrationShiftPx = anchorShiftPx(view, entity, camera);
-    view.pixelFromCentre =
-        pixelFromCentreOf(view.ortho, entity.modelSize) - view.registrationShiftPx;
+    view.pixelFromCentre = pixelFromCentreOf(view.ortho, entity) - view.registrationShiftPx;
     // As drawn: the snapped picture's axes lie along those of the plane.
     const glm::dvec3 forwardInPlane = camera.forward * plane;
     view.depthPerVoxelMetres = seen * forwardInPlane * entity.metresPerVoxel();
+    view.centreVoxels = entity.centreVoxels();
     view.depthMetres = spriteDepth(view, entity, camera, profile.depth);
     return view;
 }
 
-}  // namespace
-
-Result<SpriteViewResult> viewSprite(const PlacedEntity& entity, const Camera& camera,
-                                    const GameProfile& profile, ViewHistory* history,
-                                    LatticeMemo* lattices) {
+Result<SpriteViewResult> viewFrom(const PlacedEntity& entity, const Camera& camera,
+                                  const GameProfile& profile, const ViewSet* views,
+                                  ViewHistory* history, LatticeMemo* lattices) {
     if (auto ok = validate(camera); !ok) return Failure(ok.error());
     if (auto ok = validate(profile); !ok) return Failure(ok.error());
     if (auto ok = validate(entity); !ok) return Failure(ok.error());
@@ -163,10 +177,26 @@ Result<SpriteViewResult> viewSprite(const PlacedEntity& entity, const Camera& ca
     }
     if (insideProxy(entity, centreFromEye, sigma)) return unseen(Unseen::cameraInside);
     if (behind) return unseen(Unseen::behindCamera);
+    if (views != nullptr && entity.radiusMetres() < camera.metresPerScreenPx(planeDepth))
+        return unseen(Unseen::subPixel);
 
-    auto view = makeView(entity, camera, profile, centreFromEye, sigma, history, lattices);
+    auto view = makeView(entity, camera, profile, centreFromEye, sigma, views, history, lattices);
     if (!view) return Failure(view.error());
     return SpriteViewResult{*view, std::nullopt};
+}
+
+}  // namespace
+
+Result<SpriteViewResult> viewSprite(const PlacedEntity& entity, const Camera& camera,
+                                    const GameProfile& profile, ViewHistory* history,
+                                    LatticeMemo* lattices) {
+    return viewFrom(entity, camera, profile, nullptr, history, lattices);
+}
+
+Result<SpriteViewResult> viewSnapshot(const PlacedEntity& entity, const Camera& camera,
+                                      const GameProfile& profile, const ViewSet& views,
+                                      ViewHistory* history, LatticeMemo* lattices) {
+    return viewFrom(entity, camera, profile, &views, history, lattices);
 }
 
 glm::dmat3 pixelFromScreen(const SpriteView& view, const Camera& camera) {

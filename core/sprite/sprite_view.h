@@ -24,6 +24,7 @@ struct ViewHistory {
     std::optional<glm::dmat3> basis;         // last good right, up, forward in voxel space
     std::optional<glm::ivec3> snappedSteps;  // of yaw, pitch, roll, for view snapping
     std::optional<int> halvings;             // of sigma, for minification
+    std::optional<int> viewOfSet;            // that was shown, for viewSnapshot
 };
 
 // One sprite of one frame.
@@ -31,7 +32,7 @@ struct SpriteView {
     LatticeView lattice;
     OrthoView ortho;            // what the lattice was quantised from (voxel space)
     double sigmaInForce = 4.0;  // without the entity's scale
-    std::array<std::uint8_t, 3> light8{255, 255, 255};
+    FaceLights light8;          // of the faces that the rays see
     // The sprite plane: through the model centre, spanned by right and up (world axes, unit).
     glm::dvec3 centreFromEyeMetres{0.0};
     glm::dvec3 right{1, 0, 0};
@@ -48,19 +49,29 @@ struct SpriteView {
     // What the sprite writes. Depth rule perPixel: the nearest that any pixel may write.
     double depthMetres = 1.0;
     // Depth rule perPixel: a point p of the model (voxels) lies at the depth
-    // planeDepthMetres + dot(depthPerVoxelMetres, p - modelSize / 2).
+    // planeDepthMetres + dot(depthPerVoxelMetres, p - centreVoxels).
     glm::dvec3 depthPerVoxelMetres{0.0};
-    double screenPxPerPx = 1.0;  // screen pixels a virtual pixel at the centre
+    glm::dvec3 centreVoxels{0.0};  // of the model, as its entity has it
+    double screenPxPerPx = 1.0;    // screen pixels a virtual pixel at the centre
     // The proxy box, camera-relative: centreFromEyeMetres +- boxHalfMetres along the columns of
     // boxAxes. With ProxyShape::box the sprite shows only where an eye ray meets it.
     ProxyShape proxy = ProxyShape::quad;
     glm::dmat3 boxAxes{1.0};
     glm::dvec3 boxHalfMetres{0.0};
+    // Of viewSnapshot: the view that is shown, and by how much it is off the true one.
+    std::optional<int> viewOfSet;
+    double degreesOff = 0.0;
 };
 
 class LatticeMemo;
+class ViewSet;
 
-enum class Unseen : std::uint8_t { emptyModel, cameraInside, behindCamera };
+enum class Unseen : std::uint8_t {
+    emptyModel,
+    cameraInside,
+    behindCamera,
+    subPixel  // of viewSnapshot: the sphere around the model has a radius under one screen pixel
+};
 
 // Not seen (and why), or the view. Fails on non-finite input and over-large buffers. `lattices` may
 // remember what views were quantised to (core/sprite/lattice_memo.h); it changes no result.
@@ -72,6 +83,14 @@ struct SpriteViewResult {
                                                   const GameProfile& profile,
                                                   ViewHistory* history = nullptr,
                                                   LatticeMemo* lattices = nullptr);
+
+// The same seen from the nearest view of a set (core/sprite/view_set.h), whatever the view step.
+// All entities that show one view of one model share one sprite, bit for bit that of the view; its
+// plane is the true view's, in which it is turned as views.roll says. At one of its views this is
+// viewSprite's result.
+[[nodiscard]] Result<SpriteViewResult> viewSnapshot(
+    const PlacedEntity& entity, const Camera& camera, const GameProfile& profile,
+    const ViewSet& views, ViewHistory* history = nullptr, LatticeMemo* lattices = nullptr);
 
 // The way from the screen to virtual pixels: for p = M * (screenPx.x, screenPx.y, 1) the screen
 // position lies in pixel floor(p.xy / p.z), provided that p.z > 0 (else the eye ray runs away from

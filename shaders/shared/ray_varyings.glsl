@@ -13,3 +13,6 @@ layout(location = 10, component = 3) Flat uint svo_max_depth;
 layout(location = 11) Flat ivec3 tree_from_voxel;
 layout(location = 13) Flat uint node_offset;
 layout(location = 13, component = 1) Flat uint payload_offset;
+#ifdef FACE_SHADE
+layout(location = 14) Flat ivec3 toward_light;
+#endif

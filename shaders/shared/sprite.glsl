@@ -1,15 +1,15 @@
 // The sprites of a draw, one struct each, and what all of them share.
 //
-// sigma, voxel_size, camera_distance, anchor_to_center, ray_dir_local, camera_up_local and
-// light_dir are what the integers of the lattice and the palette were made from; they are here for
-// whoever looks at a frame in a debugger.
+// sigma, voxel_size, camera_distance, anchor_to_center, ray_dir_local and camera_up_local are what
+// the integers of the lattice and the palette were made from; they are here for whoever looks at a
+// frame in a debugger.
 
 struct Sprite {
     vec4 pixel_from_screen[3];  // of (x, y, 1), x and y from screen_reference; homogeneous
     vec2 screen_reference;
     ivec2 region_size;  // virtual pixels; cell (0, 0) of the region is pixel (first_x, first_y)
     ivec3 atlas_place;  // texel and page of cell (0, 0)
-    int palette_row;    // the first of three in palette_texture
+    int palette_row;    // the first of the sprite's in palette_texture
     // The lattice: C from the centre corner, U, V and D.
     ivec3 lattice_origin;
     int position_bits;
@@ -32,7 +32,7 @@ struct Sprite {
     float sigma;
     vec3 anchor_to_center;
     float billboard_depth;  // what the sprite writes; the nearest of it for per-pixel depth
-    vec3 light_dir;
+    vec3 light_dir;  // toward the light, in the whole numbers of shadow rays
     float camera_distance;  // of the sprite plane, metres
 };
 

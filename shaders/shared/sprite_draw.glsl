@@ -10,4 +10,6 @@ layout(std140, binding = 2) uniform SpriteDraw {
     int outline_enabled;
     int first_sprite;
     int sprite_count;
+    int occlusion_shown;  // FACE_SHADE: which rays faces cast
+    int shadows_shown;
 };

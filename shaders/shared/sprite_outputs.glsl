@@ -26,4 +26,7 @@ void handOn(Sprite sprite) {
     tree_from_voxel = sprite.tree_from_voxel;
     node_offset = sprite.node_offset;
     payload_offset = sprite.payload_offset;
+#ifdef FACE_SHADE
+    toward_light = ivec3(sprite.light_dir);
+#endif
 }

@@ -244,7 +244,7 @@ TEST_F(CrowdMemory, AnyNumberOfPalettes) {
     const test::GpuModel dot(test::solidBox({2, 2, 2}, 1));
     constexpr int kEdge = 47;
     std::vector<Palette> palettes(kEdge * kEdge);
-    ASSERT_GT(palettes.size(), static_cast<std::size_t>(LitRows::kMostPalettes));
+    ASSERT_GT(palettes.size(), static_cast<std::size_t>(LitRows::kMostRows / 3));
     Scene scene;
     scene.background = kBackground;
     for (int k = 0; k < kEdge * kEdge; ++k) {

@@ -83,7 +83,7 @@ class Viewer {
     PlacedEntity entity_;
     ViewHistory history_;
     std::optional<Shown> shown_;
-    std::array<std::uint8_t, 3> light8_{};
+    FaceLights light8_;
     double changed_ = 0.0;
 };
 
