@@ -1,0 +1,27 @@
+// All that a model can be drawn by beside its exact sprite, made from its octree: coarser octrees
+// and clusters. (Snapshots are sprites, and are made as they are shown.)
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/lod/cluster_mesh.h"
+#include "core/svo/octree.h"
+
+namespace voxprite {
+
+inline constexpr int kMostCoarseLevels = 3;
+
+struct ModelLevels {
+    glm::ivec3 origin{0};  // of the model itself
+    // [k] leaves k + 1 levels out. As many as leave the longest edge four cells, and no more than
+    // kMostCoarseLevels; none for an empty model.
+    std::vector<Octree> coarse;
+    ClusterMesh clusters;  // empty where the octree is too deep for one
+};
+
+// On any thread; the result depends on the octree alone. Fails as coarsen() does.
+[[nodiscard]] Result<ModelLevels> buildModelLevels(const Octree& model, int threads = 0);
+
+}  // namespace voxprite
