@@ -18,6 +18,8 @@ const char* nameOfUnseen(Unseen reason) {
             return "camera_inside";
         case Unseen::behindCamera:
             return "behind_camera";
+        case Unseen::subPixel:
+            return "sub_pixel";
     }
     return "unknown";
 }
@@ -38,6 +40,22 @@ Json socketsJson(const Shot& shot) {
     return sockets;
 }
 
+Json clustersJson(const ChosenClusters& clusters) {
+    Json levels = Json::array();
+    std::uint64_t chosen = 0, triangles = 0;
+    for (const ChosenClusters::Level& level : clusters.levels) {
+        chosen += level.clusters;
+        triangles += level.triangles;
+        levels.push_back(
+            {{"level", level.level}, {"clusters", level.clusters}, {"triangles", level.triangles}});
+    }
+    return {{"clusters", chosen},
+            {"triangles", triangles},
+            {"levels", std::move(levels)},
+            {"all_clusters", clusters.allClusters},
+            {"bytes", clusters.bytes}};
+}
+
 Json reportJson(const RenderOptions& options, const Shot& shot, const Drawn& drawn,
                 const Times& times) {
     Json json{{"backend", nameOf(options.backend)}, {"mode", nameOf(shot.mode)}};
@@ -54,6 +72,7 @@ Json reportJson(const RenderOptions& options, const Shot& shot, const Drawn& dra
         json["lattice"] = latticeJson(shot.lattice);
         json["sockets"] = socketsJson(shot);
     }
+    if (drawn.clusters) json["clusters"] = clustersJson(*drawn.clusters);
     const glm::ivec2 size = shot.latticeGiven && drawn.buffer ? drawn.buffer->size : options.sizePx;
     json["image"] = {{"size", {size.x, size.y}}};
     Json ms = Json::object();
@@ -66,6 +85,12 @@ std::string describe(const RenderOptions& options, const Shot& shot, const Drawn
     std::string text;
     if (options.output) text += *options.output + "\n";
     if (options.buffer) text += *options.buffer + "\n";
+    if (drawn.clusters) {
+        for (const ChosenClusters::Level& level : drawn.clusters->levels) {
+            text += "level " + std::to_string(level.level) + ": " + std::to_string(level.clusters) +
+                    " clusters, " + std::to_string(level.triangles) + " triangles\n";
+        }
+    }
     if (!drawn.buffer) return text;
     char line[256];
     std::snprintf(line, sizeof line,
@@ -91,9 +116,13 @@ Status writePictures(const RenderOptions& options, const Drawn& drawn) {
 }
 
 Result<Report> render(const RenderOptions& options) {
-    const bool sprite = options.mode != RenderMode::voxels;
-    if (options.buffer && !sprite) {
-        throw CLI::ValidationError("--buffer", "mode voxels has no sprite buffer");
+    const RenderMode mode = options.mode.value_or(RenderMode::sprite);
+    if (options.buffer && !showsSprite(mode)) {
+        throw CLI::ValidationError("--buffer",
+                                   std::string("mode ") + nameOf(mode) + " has no sprite buffer");
+    }
+    if (mode == RenderMode::clusters && options.backend == Backend::cpu) {
+        throw CLI::ValidationError("--mode", "clusters are drawn by OpenGL: add --backend gl");
     }
     Times times;
     const Result<Shot> shot = makeShot(options, times);

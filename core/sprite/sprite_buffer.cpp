@@ -15,19 +15,19 @@ std::size_t area(glm::ivec2 size) {
     return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
 }
 
-std::uint32_t idOf(glm::ivec3 voxel, glm::ivec3 size) {
-    const auto x = static_cast<std::uint32_t>(voxel.x);
-    const auto y = static_cast<std::uint32_t>(voxel.y);
-    const auto z = static_cast<std::uint32_t>(voxel.z);
-    const auto width = static_cast<std::uint32_t>(size.x);
-    return kIdFirstVoxel + x + width * (y + static_cast<std::uint32_t>(size.y) * z);
-}
-
 std::uint64_t countWhere(const std::vector<std::uint32_t>& ids, auto matches) {
     return static_cast<std::uint64_t>(std::count_if(ids.begin(), ids.end(), matches));
 }
 
 }  // namespace
+
+std::uint32_t voxelId(glm::ivec3 voxel, glm::ivec3 modelSize) {
+    const auto x = static_cast<std::uint32_t>(voxel.x);
+    const auto y = static_cast<std::uint32_t>(voxel.y);
+    const auto z = static_cast<std::uint32_t>(voxel.z);
+    const auto width = static_cast<std::uint32_t>(modelSize.x);
+    return kIdFirstVoxel + x + width * (y + static_cast<std::uint32_t>(modelSize.y) * z);
+}
 
 void dilateOutline(SpriteBuffer& buffer, Rgba8 colour) {
     const auto opaque = [&](int column, int row) {
@@ -74,7 +74,7 @@ SpriteBuffer castSprite(const OctreeView& octree, const LatticeView& lattice, co
                     face = seen;
                 }
                 buffer.colours[at] = lit.shade(hit.material, hit.faceAxis, shade);
-                buffer.ids[at] = idOf(hit.voxel, octree.size);
+                buffer.ids[at] = voxelId(hit.voxel, octree.size);
             }
     });
     if (lit.outline.enabled) dilateOutline(buffer, lit.outline.colour);

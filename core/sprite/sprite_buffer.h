@@ -17,6 +17,8 @@ inline constexpr std::uint32_t kIdEmpty = 0;
 inline constexpr std::uint32_t kIdOutline = 1;
 inline constexpr std::uint32_t kIdFirstVoxel = 2;  // + x + y * size.x + z * size.x * size.y
 
+[[nodiscard]] std::uint32_t voxelId(glm::ivec3 voxel, glm::ivec3 modelSize);
+
 // Rows from the top: row r holds j = first.y + size.y - 1 - r; column c holds i = first.x + c.
 struct SpriteBuffer {
     glm::ivec2 first{0};
