@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "core/base/parallel.h"
+#include "core/sprite/view_set.h"
 
 namespace voxprite {
 
@@ -111,7 +112,8 @@ Status SceneLook::work(const Scene& scene, const Camera& camera, const GameProfi
 
 bool SceneLook::holds(const Record& record, const SceneEntity& entity) const {
     const SceneEntity& before = record.sprite.entity;
-    return before.octree == entity.octree && before.palette == entity.palette &&
+    return before.representation == entity.representation && before.views == entity.views &&
+           before.octree == entity.octree && before.palette == entity.palette &&
            before.history == entity.history && record.octreeRevision == entity.octree->revision() &&
            record.paletteContent == contents_.at(entity.palette) &&
            same(before.placed, entity.placed) &&
@@ -125,9 +127,13 @@ Status SceneLook::look(Record& record, const SceneEntity& entity, const Camera& 
     record.octreeRevision = entity.octree->revision();
     record.paletteContent = contents_.at(entity.palette);
     record.seen = false;
+    if (entity.representation == Representation::clusters) return {};  // no sprite
     if (entity.octree->texture() == 0) return entity.octree->status();
+    const bool snapshot = entity.representation == Representation::snapshot;
     const Result<SpriteViewResult> result =
-        viewSprite(entity.placed, camera, profile, entity.history, &lattices_);
+        snapshot ? viewSnapshot(entity.placed, camera, profile, *entity.views, entity.history,
+                                &lattices_)
+                 : viewSprite(entity.placed, camera, profile, entity.history, &lattices_);
     if (!result) return tl::unexpected(result.error());
     if (entity.history != nullptr) record.history = *entity.history;
     if (!result->view) return {};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "render/cluster_renderer.h"
 #include "render/gl/draw_state.h"
 #include "render/palette_texture.h"
 #include "render/scene_backdrop.h"
@@ -95,6 +96,7 @@ struct SceneRenderer::Impl {
     gl::StorageBuffer sprites, corners;
     OcclusionRays occlusionRays;
     Batch batch;
+    std::optional<ClusterRenderer> clusters;  // once there are some
     // The batch, on the GPU too, is all that the look before saw, to be drawn in this way.
     std::optional<SpriteMode> held;
 
@@ -112,6 +114,7 @@ struct SceneRenderer::Impl {
     [[nodiscard]] Status finish(Pass& pass);
     [[nodiscard]] Status flush(Pass& pass);
     [[nodiscard]] Status drawRuns(Pass& pass);
+    [[nodiscard]] Status drawClusters(Pass& pass);
 };
 
 // The rows of the sprite's palette. What is gathered is drawn first if that makes room.
@@ -261,6 +264,27 @@ Status SceneRenderer::Impl::drawRuns(Pass& pass) {
     return {};
 }
 
+Status SceneRenderer::Impl::drawClusters(Pass& pass) {
+    std::vector<ClusterInstance> instances;
+    for (const SceneEntity& entity : pass.scene.entities) {
+        if (entity.representation != Representation::clusters) continue;
+        instances.push_back({entity.clusters, entity.palette, entity.placed});
+    }
+    if (instances.empty()) return {};
+    if (!clusters) {
+        Result<ClusterRenderer> created = ClusterRenderer::create();
+        if (!created) return tl::unexpected(created.error());
+        clusters = std::move(*created);
+    }
+    ClusterOptions options;
+    options.budgetPx = pass.scene.clusterBudgetPx;
+    const Result<ClusterStats> drawn =
+        clusters->draw(pass.frame, pass.camera, pass.profile, instances, options);
+    if (!drawn) return tl::unexpected(drawn.error());
+    pass.stats.drawCalls += drawn->drawCalls;
+    return {};
+}
+
 Status SceneRenderer::Impl::gather(Pass& pass) {
     batch.clear();
     if (pass.mode == SpriteMode::spriteBuffer) atlas.keepIds(pass.deep());
@@ -307,8 +331,15 @@ Result<SceneStats> SceneRenderer::draw(Frame& frame, const Scene& scene, const C
         return tl::unexpected(seen.error());
     }
     const std::vector<const SeenSprite*>& sprites = impl_->look.seen();
-    stats.drawn = static_cast<int>(sprites.size());
-    stats.unseen = impl_->look.unseen();
+    for (const SeenSprite* sprite : sprites) {
+        ++stats.drawnBy[static_cast<std::size_t>(sprite->entity.representation)];
+    }
+    // Which of the meshes are in view is the GPU's to know.
+    const auto meshes =
+        std::ranges::count(scene.entities, Representation::clusters, &SceneEntity::representation);
+    stats.drawnBy[static_cast<std::size_t>(Representation::clusters)] = static_cast<int>(meshes);
+    stats.drawn = static_cast<int>(sprites.size() + static_cast<std::size_t>(meshes));
+    stats.unseen = impl_->look.unseen() - static_cast<int>(meshes);
     if (!sprites.empty()) {
         stats.sigmaInForce = sprites.front()->sigmaInForce;
         stats.screenPxPerPx = sprites.front()->screenPxPerPx;
@@ -318,6 +349,9 @@ Result<SceneStats> SceneRenderer::draw(Frame& frame, const Scene& scene, const C
         return tl::unexpected(drawn.error());
     }
     impl_->begin(pass);
+    if (const Status drawn = impl_->drawClusters(pass); !drawn) {
+        return tl::unexpected(drawn.error());
+    }
     stats.atlasBytes = impl_->atlas.bytes();
     return stats;
 }

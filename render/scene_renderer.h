@@ -13,14 +13,20 @@
 //
 // What was worked out for an entity is remembered by its place in the scene: while camera, profile,
 // model, palette and entity stay the same a frame is a comparison of each and the draw.
+//
+// Entities may be drawn by something else than their exact sprite (render/scene_choice.h chooses):
+// snapshots and coarser octrees are sprites, too, and drawn with them; clusters are meshes and come
+// last, in their own draw, against the depths of the sprites.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/lod/representation.h"
 #include "core/model/game_profile.h"
 #include "core/model/palette.h"
 #include "core/sprite/composite.h"
@@ -30,12 +36,19 @@
 
 namespace voxprite {
 
+class GpuClusters;
+class ViewSet;
+
 struct SceneEntity {
     const GpuOctree* octree = nullptr;
     const Palette* palette = nullptr;
     PlacedEntity placed;
     ViewHistory* history = nullptr;        // may be null: no hysteresis; no two entities share one
     const PlacedEntity* shadow = nullptr;  // what casts the shadow blob; null: `placed` does
+    // What it is drawn by. Coarse: `octree` and `placed` are those of the coarser model.
+    Representation representation = Representation::sprite;
+    const ViewSet* views = nullptr;         // snapshot: what is shown is the nearest of these
+    const GpuClusters* clusters = nullptr;  // clusters: the mesh
 };
 
 struct Scene {
@@ -43,8 +56,9 @@ struct Scene {
     Rgba8 background{0, 0, 0, 0};
     bool sky = false;  // a soft gradient instead of the background
     std::optional<Ground> ground;
-    bool groundGrid = false;   // lines on the ground, one a metre
-    bool shadowBlobs = false;  // a soft dark ellipse under each entity
+    bool groundGrid = false;       // lines on the ground, one a metre
+    bool shadowBlobs = false;      // a soft dark ellipse under each entity
+    double clusterBudgetPx = 1.0;  // how far off on the screen the surface of clusters may be
 };
 
 struct SceneStats {
@@ -55,10 +69,11 @@ struct SceneStats {
     std::uint64_t rays = 0;
     std::uint64_t casts = 0;        // sprites cast (spriteBuffer)
     std::uint64_t castsReused = 0;  // sprites taken from the frame before, or from another entity
-    int drawCalls = 0;              // that put sprites onto the screen
-    std::uint64_t atlasBytes = 0;   // held by finished sprites
-    double sigmaInForce = 0.0;      // of the first entity drawn
-    double screenPxPerPx = 0.0;     // of the first entity drawn
+    int drawCalls = 0;              // that put entities onto the screen
+    std::array<int, kRepresentations> drawnBy{};  // by Representation; together `drawn`
+    std::uint64_t atlasBytes = 0;                 // held by finished sprites
+    double sigmaInForce = 0.0;                    // of the first entity drawn
+    double screenPxPerPx = 0.0;                   // of the first entity drawn
 };
 
 // Where finished sprites are kept: pages of one texture array, added as they are needed. A sprite
