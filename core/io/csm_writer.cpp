@@ -16,7 +16,7 @@ class Writer {
 
     std::string run() {
         // A model of one voxel has a tree of two an edge.
-        const bool single = octree_.size == glm::ivec3(1);
+        const bool single = octree_.size == glm::ivec3(1) && octree_.maxDepth == 1;
         if (single) {
             state("", std::to_string(materialAtTree(octree_, glm::ivec3(0))));
         } else {
