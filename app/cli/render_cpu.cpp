@@ -6,7 +6,7 @@
 #include "app/cli/render_shot.h"
 #include "app/cli/stopwatch.h"
 #include "core/base/parallel.h"
-#include "core/trace/lattice_caster.h"
+#include "core/sprite/voxel_placement.h"
 
 namespace voxprite::cli {
 namespace {
@@ -27,8 +27,9 @@ Image compositeSprite(const Shot& shot, const SpriteBuffer& buffer) {
 // The voxels themselves, one eye ray through each pixel's centre.
 Image perspectiveImage(const Shot& shot) {
     const glm::dmat3 voxelFromWorldAxes = glm::transpose(shot.placed.worldFromVoxelAxes);
-    const glm::dvec3 towardLight = voxelFromWorldAxes * shot.profile.light.towardLight;
     const OctreeView octree = shot.octree.view();
+    const FaceShader faces(octree, faceLights({}, voxelFromWorldAxes, shot.profile.light).rays);
+    const VoxelPlacement placement = voxelPlacement(shot.placed);
     Image image(shot.camera.viewportPx.x, shot.camera.viewportPx.y, shot.background);
     std::vector<float> depths(image.pixels.size(), 0.0f);
     parallelFor(image.height, 0, [&](int firstRow, int lastRow) {
@@ -37,20 +38,18 @@ Image perspectiveImage(const Shot& shot) {
             for (int x = 0; x < image.width; ++x) {
                 const Camera::Ray ray = shot.camera.rayThrough(glm::dvec2(x, y) + 0.5);
                 const glm::dvec3 direction = voxelFromWorldAxes * ray.direction;
-                const glm::dvec3 eye = voxelFromWorldAxes *
-                                           (ray.origin - shot.placed.anchorMetres) /
-                                           shot.placed.metresPerVoxel() +
-                                       shot.placed.anchor;
-                const auto [hit, t] = castPerspective(octree, eye, direction);
-                if (hit.material == 0) continue;
-                const glm::dvec3 fromEye = ray.origin - shot.camera.eyeMetres +
-                                           ray.direction * (t * shot.placed.metresPerVoxel());
+                const RaycastHit hit = raycast(octree, placement, {ray.origin, ray.direction});
+                if (!hit.hit) continue;
+                const glm::dvec3 fromEye =
+                    ray.origin - shot.camera.eyeMetres + ray.direction * hit.t;
                 depths[static_cast<std::size_t>(&image.at(x, y) - image.pixels.data())] =
                     shot.camera.reversedDepth(glm::dot(fromEye, shot.camera.forward));
-                const auto light8 = faceLight(glm::ivec3(glm::sign(direction)), towardLight,
-                                              shot.profile.light.ambient);
-                image.at(x, y) =
-                    shader.inLight(light8[hit.faceAxis], shot.profile.shading)[hit.material];
+                const FaceLights lights = faceLights(glm::ivec3(glm::sign(direction)),
+                                                     voxelFromWorldAxes, shot.profile.light);
+                const FaceShade shade =
+                    faces.shadeOf({hit.voxel, hit.axis, direction[hit.axis] < 0.0 ? 1 : -1});
+                const std::uint8_t light8 = lights.of(hit.axis, shade);
+                image.at(x, y) = shader.inLight(light8, shot.profile.shading)[hit.value];
             }
         }
     });

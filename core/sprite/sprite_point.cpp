@@ -5,7 +5,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "core/trace/lattice_caster.h"
+#include "core/trace/raycast.h"
 
 namespace voxprite {
 namespace {
@@ -15,8 +15,8 @@ bool seen(const OctreeView& octree, glm::dvec3 point, glm::dvec3 forward) {
     const glm::dvec3 size(octree.size);
     // Before the model, wherever the point is.
     const double back = glm::length(point - size * 0.5) + glm::length(size) + 1.0;
-    const auto [hit, t] = castPerspective(octree, point - forward * back, forward);
-    if (hit.material == 0 || t >= back - kTouching) return true;
+    const RaycastHit hit = raycast(octree, {point - forward * back, forward});
+    if (!hit.hit || hit.t >= back - kTouching) return true;
     const glm::dvec3 inVoxel = point - glm::dvec3(hit.voxel);
     return inVoxel.x > 0.0 && inVoxel.x < 1.0 && inVoxel.y > 0.0 && inVoxel.y < 1.0 &&
            inVoxel.z > 0.0 && inVoxel.z < 1.0;

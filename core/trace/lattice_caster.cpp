@@ -16,18 +16,26 @@ LatticeRay rayOf(const LatticeView& lattice, glm::ivec2 pixel) {
     return ray;
 }
 
-LatticeHit castLattice(const OctreeView& octree, const LatticeRay& ray) {
-    const Course course(octree, ray.direction, ray.positionBits);
-    const Line line(course, ray.origin);
+namespace {
+
+// The walk counts from the root's minimum corner.
+LatticeHit castFrom(const Course& course, glm::i64vec3 origin) {
+    const glm::i64vec3 treeFromVoxel(course.octree.treeFromVoxel);
+    const Line line(course, origin + treeFromVoxel * (std::int64_t{1} << course.positionBits));
     return walk(course, line, line.enter);
+}
+
+}  // namespace
+
+LatticeHit castLattice(const OctreeView& octree, const LatticeRay& ray) {
+    return castFrom(Course(octree, ray.direction, ray.positionBits), ray.origin);
 }
 
 LatticeCaster::LatticeCaster(const OctreeView& octree, const LatticeView& lattice)
     : lattice_(lattice), course_(octree, lattice.D, lattice.positionBits) {}
 
 LatticeHit LatticeCaster::cast(glm::ivec2 pixel) const {
-    const Line line(course_, rayOf(lattice_, pixel).origin);
-    return walk(course_, line, line.enter);
+    return castFrom(course_, rayOf(lattice_, pixel).origin);
 }
 
 }  // namespace voxprite

@@ -36,15 +36,4 @@ class LatticeCaster {
     Course course_;
 };
 
-// For perspective rays (voxel views, picking): the same walk along a line quantised near where the
-// ray enters the box. `eye` in voxel units from the minimum corner, `direction` of any length; only
-// what lies ahead of the eye counts; `t` is in voxels along the normalised direction. An eye inside
-// a solid voxel hits that voxel (t = 0, faceAxis of the largest direction component).
-struct PerspectiveHit {
-    LatticeHit hit;
-    double t = 0.0;
-};
-[[nodiscard]] PerspectiveHit castPerspective(const OctreeView& octree, glm::dvec3 eye,
-                                             glm::dvec3 direction);
-
 }  // namespace voxprite

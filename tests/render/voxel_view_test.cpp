@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/trace/lattice_caster.h"
+#include "core/sprite/voxel_placement.h"
 #include "tests/render/gl_test.h"
 #include "tests/support/voxels.h"
 
@@ -23,7 +23,7 @@ class VoxelViews : public test::GlTest {
     static VoxelViewOptions plain() {
         VoxelViewOptions options;
         options.edges = false;
-        options.occlusion = false;
+        options.occlusion = VoxelOcclusion::off;
         options.ground = false;
         options.light.ambient = 1.0;
         return options;
@@ -40,15 +40,11 @@ class VoxelViews : public test::GlTest {
     static Expected pick(const GpuModel& model, const PlacedEntity& placed, const Camera& camera,
                          glm::dvec2 screenPx) {
         const Camera::Ray ray = camera.rayThrough(screenPx);
-        const glm::dmat3 voxelAxes = glm::transpose(placed.worldFromVoxelAxes);
-        const double perVoxel = placed.metresPerVoxel();
-        const glm::dvec3 eye =
-            voxelAxes * (ray.origin - placed.anchorMetres) / perVoxel + placed.anchor;
-        const glm::dvec3 direction = voxelAxes * ray.direction;
-        const PerspectiveHit hit = castPerspective(model.octree.view(), eye, direction);
-        if (hit.hit.material == 0) return {};
-        const double metres = hit.t * perVoxel * glm::dot(ray.direction, camera.forward);
-        return {hit.hit.material, camera.reversedDepth(metres)};
+        const RaycastHit hit =
+            raycast(model.octree.view(), voxelPlacement(placed), {ray.origin, ray.direction});
+        if (!hit.hit) return {};
+        const double metres = hit.t * glm::dot(ray.direction, camera.forward);
+        return {hit.value, camera.reversedDepth(metres)};
     }
 
     // Compares a picture with picking; silhouettes and edges between two voxels are where single
@@ -166,7 +162,7 @@ TEST_F(VoxelViews, EdgesAndGridAreSeenAndFacesDiffer) {
     };
     VoxelViewOptions options;
     options.edges = false;
-    options.occlusion = false;
+    options.occlusion = VoxelOcclusion::off;
     options.ground = false;
     const Image bare = colours(options);
     std::vector<Rgba8> faces;
@@ -231,19 +227,14 @@ TEST_F(VoxelViews, TheSunsShadowFallsWhereAMarchTowardItIsStopped) {
                 voxelFromWorld(ray.origin - placed.anchorMetres) / placed.metresPerVoxel() +
                 placed.anchor;
             const glm::dvec3 direction = voxelFromWorld(ray.direction);
-            const PerspectiveHit hit = castPerspective(model.octree.view(), from, direction);
-            if (hit.hit.material == 0) continue;
+            const RaycastHit hit = raycast(model.octree.view(), {from, direction});
+            if (!hit.hit) continue;
             // Of this light all faces that the eye sees from above look toward it or away.
-            glm::dvec3 at = from + direction * hit.t;
-            const glm::dvec3 inside = glm::abs(glm::fract(at) - 0.5);
-            const int axis =
-                inside.x > inside.y ? (inside.x > inside.z ? 0 : 2) : (inside.y > inside.z ? 1 : 2);
-            const double facing = direction[axis] < 0.0 ? 1.0 : -1.0;
-            if (sun[axis] * facing <= 0.0) {
+            if (glm::dot(sun, hit.normal) <= 0.0) {
                 wrong += darker;
                 continue;
             }
-            at[axis] += facing * 1e-6;
+            const glm::dvec3 at = hit.point + hit.normal * 1e-6;
             const bool stopped = marchesIntoVoxel(reader, at, sun);
             inShade += stopped;
             inSun += !stopped;
@@ -308,7 +299,7 @@ TEST_F(VoxelViews, CornersBetweenVoxelsAreShaded) {
     EXPECT_EQ(open, greenAt(3.5));
     EXPECT_LT(foot, nearFoot);
     EXPECT_LT(nearFoot, open);
-    options.occlusion = false;
+    options.occlusion = VoxelOcclusion::off;
     renderer.draw(frame, model.gpu, model.palette, placed, above, options);
     EXPECT_EQ(greenAt(14.9), open);
 }
@@ -320,7 +311,7 @@ TEST_F(VoxelViews, SpriteLightGivesFacesTheSpritesOwnColours) {
     Frame frame(kViewport);
     VoxelViewOptions options;
     options.edges = false;
-    options.occlusion = false;
+    options.occlusion = VoxelOcclusion::off;
     options.spriteLight = true;
     for (const OrbitAngles& angles : {OrbitAngles{30, 30, 0}, OrbitAngles{200, -25, 0}}) {
         const Camera view = camera(placed, angles, 3.0);

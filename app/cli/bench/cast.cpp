@@ -8,7 +8,7 @@
 #include "app/cli/bench/rivals.h"
 #include "core/base/parallel.h"
 #include "core/sprite/sprite_view.h"
-#include "core/trace/lattice_caster.h"
+#include "core/trace/raycast.h"
 
 namespace voxprite::bench {
 namespace {
@@ -112,8 +112,7 @@ class CastBench {
                     [&](std::size_t k) { return castLattice(octree_, latticeRays[k]).material; });
         const Materials perspectiveTruth =
             measure("perspective", "scalar", eyeRays.size(), noTruth, [&](std::size_t k) {
-                return castPerspective(octree_, eyeRays[k].origin, eyeRays[k].direction)
-                    .hit.material;
+                return raycast(octree_, {eyeRays[k].origin, eyeRays[k].direction}).value;
             });
         const auto measureRival = [&](const char* name, const auto& cast) {
             const auto& rays = load_.parallel.rays;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/trace/lattice_caster.h"
+#include "core/trace/raycast.h"
 
 namespace voxprite::editor {
 namespace {
@@ -46,12 +46,8 @@ std::optional<Pick> pick(const LiveOctree& octree, const IBox& bounds, const Cam
     if (!bounds.empty()) {
         const glm::dvec3 eye = voxelFromWorld(ray.origin) - glm::dvec3(bounds.min);
         const glm::dvec3 direction = voxelFromWorld(ray.direction);
-        const PerspectiveHit found = castPerspective(octree.view(bounds), eye, direction);
-        if (found.hit.material != 0) {
-            glm::ivec3 normal(0);
-            normal[found.hit.faceAxis] = direction[found.hit.faceAxis] > 0.0 ? -1 : 1;
-            return Pick{found.hit.voxel + bounds.min, normal, false};
-        }
+        const RaycastHit found = raycast(octree.view(bounds), {eye, direction});
+        if (found.hit) return Pick{found.voxel + bounds.min, glm::ivec3(found.normal), false};
     }
     return pickGround(bounds, ray);
 }

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/sprite/composite.h"
-#include "core/trace/lattice_caster.h"
+#include "core/sprite/voxel_placement.h"
 #include "tests/core/sprite/subject.h"
 
 namespace voxprite {
@@ -258,15 +258,10 @@ double wrongNeighbour(const Subject& a, glm::dvec3 standsA, const Subject& b, gl
             std::size_t seen = 2;
             for (std::size_t which = 0; which < 2; ++which) {
                 const PlacedEntity& entity = entities[which];
-                const glm::dmat3 back = glm::transpose(entity.worldFromVoxelAxes);
-                const glm::dvec3 eye =
-                    back * (ray.origin - entity.anchorMetres) / entity.metresPerVoxel() +
-                    entity.anchor;
-                const PerspectiveHit hit =
-                    castPerspective(subjects[which]->octree.view(), eye, back * ray.direction);
-                const double metres = hit.t * entity.metresPerVoxel();
-                if (hit.hit.material != 0 && metres < nearest) {
-                    nearest = metres;
+                const RaycastHit hit = raycast(subjects[which]->octree.view(),
+                                               voxelPlacement(entity), {ray.origin, ray.direction});
+                if (hit.hit && hit.t < nearest) {
+                    nearest = hit.t;
                     seen = which;
                 }
             }

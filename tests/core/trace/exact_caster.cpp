@@ -13,12 +13,12 @@ struct Crossing {
     int cellBehind;
 };
 
-}  // namespace
-
-LatticeHit castExact(const DenseModel& model, const LatticeRay& ray) {
+// All of a line's crossings in their order, and its cell before the first.
+std::vector<Crossing> crossingsOf(const DenseModel& model, const LatticeRay& ray,
+                                  glm::ivec3& cell) {
     const std::int64_t steps = std::int64_t{1} << ray.positionBits;
     std::vector<Crossing> crossings;
-    glm::ivec3 cell{0};
+    cell = glm::ivec3(0);
     for (int a = 0; a < 3; ++a) {
         const std::int64_t d = ray.direction[a];
         if (d == 0) {
@@ -36,10 +36,46 @@ LatticeHit castExact(const DenseModel& model, const LatticeRay& ray) {
         const std::int64_t right = q.numerator * p.denominator;
         return left != right ? left < right : p.axis < q.axis;
     });
-    for (const Crossing& crossing : crossings) {
+    return crossings;
+}
+
+}  // namespace
+
+LatticeHit castExact(const DenseModel& model, const LatticeRay& ray) {
+    glm::ivec3 cell;
+    for (const Crossing& crossing : crossingsOf(model, ray, cell)) {
         cell[crossing.axis] = crossing.cellBehind;
         if (const std::uint8_t material = model.at(cell); material != 0)
             return {material, static_cast<std::uint8_t>(crossing.axis), cell};
+    }
+    return {};
+}
+
+bool startsInside(const DenseModel& model, const LatticeRay& ray) {
+    bool inside = true;
+    for (int a = 0; a < 3; ++a)
+        inside = inside && ray.origin[a] >= 0 &&
+                 ray.origin[a] < std::int64_t{model.size[a]} << ray.positionBits;
+    return inside;
+}
+
+LatticeHit castExactRay(const DenseModel& model, const LatticeRay& ray, bool inside) {
+    for (int a = 0; a < 3 && !inside; ++a) {
+        const bool below = ray.origin[a] < 0;
+        const bool above = ray.origin[a] >= std::int64_t{model.size[a]} << ray.positionBits;
+        if ((below && ray.direction[a] <= 0) || (above && ray.direction[a] >= 0)) return {};
+    }
+    glm::ivec3 cell;
+    const std::vector<Crossing> crossings = crossingsOf(model, ray, cell);
+    const auto ahead = std::find_if(crossings.begin(), crossings.end(), [&](const Crossing& c) {
+        return inside ? c.numerator > 0 : c.numerator >= 0;
+    });
+    for (auto c = crossings.begin(); c != ahead; ++c) cell[c->axis] = c->cellBehind;
+    if (inside && model.at(cell) != 0) return {model.at(cell), 3, cell};
+    for (auto c = ahead; c != crossings.end(); ++c) {
+        cell[c->axis] = c->cellBehind;
+        if (const std::uint8_t material = model.at(cell); material != 0)
+            return {material, static_cast<std::uint8_t>(c->axis), cell};
     }
     return {};
 }

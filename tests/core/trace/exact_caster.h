@@ -8,6 +8,12 @@
 namespace voxprite::test {
 
 [[nodiscard]] LatticeHit castExact(const DenseModel& model, const LatticeRay& ray);
+// The same of a ray: only what lies at its origin or ahead of it counts. One that starts `inside`
+// the box is first in the cell behind all crossings up to its origin; faceAxis is 3 if that is
+// solid. One that starts outside misses if it runs away from the box on any axis.
+[[nodiscard]] LatticeHit castExactRay(const DenseModel& model, const LatticeRay& ray, bool inside);
+// In the box, whose minimum faces belong to it and whose maximum faces do not.
+[[nodiscard]] bool startsInside(const DenseModel& model, const LatticeRay& ray);
 
 // So that failures print what was hit.
 [[nodiscard]] bool sameHit(const LatticeHit& a, const LatticeHit& b);
