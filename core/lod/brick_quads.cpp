@@ -9,38 +9,53 @@ namespace voxprite {
 BrickMesher::BrickMesher(const BrickLevel& level) : level_(level) {
     const auto edge = static_cast<std::size_t>(level.brickCells);
     cells_.resize(edge * edge * edge);
+    open_.resize(edge * edge);
     faces_.resize(edge * edge);
 }
 
 std::vector<ClusterVertex> BrickMesher::quads(glm::ivec3 brick) {
-    const glm::ivec3 first = brick * level_.brickCells - level_.firstCell;
-    readBox(level_.cells, {first, first + level_.brickCells}, cells_);
+    const int edge = level_.brickCells;
+    const glm::ivec3 first = brick * edge - level_.firstCell;
+    readBox(level_.cells, {first, first + edge}, cells_);
+    const bool solid = std::ranges::find(cells_, 0) == cells_.end();
     std::vector<ClusterVertex> out;
     for (int face = 0; face < kFaces; ++face) {
-        for (int k = 0; k < level_.brickCells; ++k) slice(face, k, brick, out);
+        const int border = face < 3 ? edge - 1 : 0;
+        openBorder(face, brick);
+        slice(face, border, brick, out);
+        if (solid) continue;
+        for (int k = 0; k < edge; ++k) {
+            if (k != border) slice(face, k, brick, out);
+        }
     }
     return out;
 }
 
-std::uint8_t BrickMesher::cell(glm::ivec3 c) const {
-    const int edge = level_.brickCells;
-    return cells_[static_cast<std::size_t>((c.z * edge + c.y) * edge + c.x)];
-}
-
-bool BrickMesher::covered(glm::ivec3 c, int face, glm::ivec3 brick) const {
+void BrickMesher::openBorder(int face, glm::ivec3 brick) {
     const int axis = face % 3;
-    const int step = face < 3 ? 1 : -1;
-    glm::ivec3 beside = c;
-    beside[axis] += step;
-    if (beside[axis] >= 0 && beside[axis] < level_.brickCells) return cell(beside) != 0;
-    // The layer of voxels right behind the face.
-    const int edge = 1 << level_.level;
-    IBox layer;
-    layer.min = (brick * level_.brickCells + beside) * edge;
-    if (step < 0) layer.min[axis] += edge - 1;
-    layer.max = layer.min + edge;
-    layer.max[axis] = layer.min[axis] + 1;
-    return solidThroughout(level_.finest, layer);
+    const int uAxis = (axis + 1) % 3;
+    const int vAxis = (axis + 2) % 3;
+    const int log2Cell = level_.level;
+    const int edge = level_.brickCells;
+    // The layer of voxels right behind the brick.
+    const glm::ivec3 corner = (brick * edge) << log2Cell;
+    IBox layer{corner, corner + (edge << log2Cell)};
+    if (face < 3) {
+        layer.min[axis] = layer.max[axis]++;
+    } else {
+        layer.max[axis] = layer.min[axis]--;
+    }
+    const bool outside = layer.min[axis] < 0 || layer.min[axis] >= 1 << level_.finest.maxDepth;
+    std::ranges::fill(open_, outside ? std::uint8_t{1} : std::uint8_t{0});
+    if (outside) return;
+    forEachEmptyPart(level_.finest, layer, [&](const IBox& part) {
+        const glm::ivec3 low = (part.min - corner) >> log2Cell;
+        const glm::ivec3 high = (part.max - 1 - corner) >> log2Cell;
+        for (int v = low[vAxis]; v <= high[vAxis]; ++v) {
+            for (int u = low[uAxis]; u <= high[uAxis]; ++u)
+                open_[static_cast<std::size_t>(v * edge + u)] = 1;
+        }
+    });
 }
 
 void BrickMesher::slice(int face, int k, glm::ivec3 brick, std::vector<ClusterVertex>& out) {
@@ -48,38 +63,40 @@ void BrickMesher::slice(int face, int k, glm::ivec3 brick, std::vector<ClusterVe
     const int uAxis = (axis + 1) % 3;
     const int vAxis = (axis + 2) % 3;
     const int edge = level_.brickCells;
-    const auto faceAt = [&](int u, int v) -> std::uint8_t& {
-        return faces_[static_cast<std::size_t>(v * edge + u)];
-    };
-    glm::ivec3 c(k);
+    const glm::ivec3 stride(1, edge, edge * edge);
+    const bool border = k == (face < 3 ? edge - 1 : 0);
+    const std::uint8_t* own = cells_.data() + k * stride[axis];
+    const std::uint8_t* beside = own + (face < 3 ? 1 : -1) * (border ? 0 : stride[axis]);
+    bool any = false;
     for (int v = 0; v < edge; ++v) {
         for (int u = 0; u < edge; ++u) {
-            c[uAxis] = u;
-            c[vAxis] = v;
-            const std::uint8_t material = cell(c);
-            faceAt(u, v) = material != 0 && !covered(c, face, brick) ? material : std::uint8_t{0};
+            const int at = u * stride[uAxis] + v * stride[vAxis];
+            const auto slot = static_cast<std::size_t>(v * edge + u);
+            const bool seen = border ? open_[slot] != 0 : beside[at] == 0;
+            faces_[slot] = seen ? own[at] : std::uint8_t{0};
+            any = any || faces_[slot] != 0;
         }
     }
+    if (!any) return;
     for (int v = 0; v < edge; ++v) {
         for (int u = 0; u < edge; ++u) {
-            const std::uint8_t material = faceAt(u, v);
+            std::uint8_t* run = &faces_[static_cast<std::size_t>(v * edge + u)];
+            const std::uint8_t material = *run;
             if (material == 0) continue;
             const auto equal = [&](std::uint8_t m) { return m == material; };
-            int uEnd = u + 1;
-            while (uEnd < edge && equal(faceAt(uEnd, v))) ++uEnd;
-            int vEnd = v + 1;
-            while (vEnd < edge &&
-                   std::all_of(&faceAt(u, vEnd), &faceAt(u, vEnd) + (uEnd - u), equal))
-                ++vEnd;
-            for (int row = v; row < vEnd; ++row)
-                std::fill_n(&faceAt(u, row), uEnd - u, std::uint8_t{0});
-            glm::ivec3 min(k);
-            glm::ivec3 max(k);
+            const auto width = std::find_if_not(run, run + (edge - u), equal) - run;
+            int height = 1;
+            while (v + height < edge &&
+                   std::all_of(run + height * edge, run + height * edge + width, equal))
+                ++height;
+            for (int row = 0; row < height; ++row)
+                std::fill_n(run + row * edge, width, std::uint8_t{0});
+            glm::ivec3 min(face < 3 ? k + 1 : k);
             min[uAxis] = u;
             min[vAxis] = v;
-            max[uAxis] = uEnd;
-            max[vAxis] = vEnd;
-            if (face < 3) min[axis] = max[axis] = k + 1;
+            glm::ivec3 max = min;
+            max[uAxis] += static_cast<int>(width);
+            max[vAxis] += height;
             emit(face, min, max, material, brick, out);
         }
     }

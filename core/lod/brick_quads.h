@@ -31,14 +31,15 @@ class BrickMesher {
     [[nodiscard]] std::vector<ClusterVertex> quads(glm::ivec3 brick);
 
   private:
-    [[nodiscard]] std::uint8_t cell(glm::ivec3 c) const;
-    [[nodiscard]] bool covered(glm::ivec3 c, int face, glm::ivec3 brick) const;
     void slice(int face, int k, glm::ivec3 brick, std::vector<ClusterVertex>& out);
+    // Where faces of the outermost slice are to be drawn because something behind them is empty.
+    void openBorder(int face, glm::ivec3 brick);
     void emit(int face, glm::ivec3 min, glm::ivec3 max, std::uint8_t material, glm::ivec3 brick,
               std::vector<ClusterVertex>& out) const;
 
     BrickLevel level_;
     std::vector<std::uint8_t> cells_;  // of the brick at hand, x fastest
+    std::vector<std::uint8_t> open_;   // of its border: 1 where a face would be seen, u fastest
     std::vector<std::uint8_t> faces_;  // of one slice: the material where a face is to be drawn
 };
 

@@ -54,15 +54,19 @@ class BoxReader {
     std::span<std::uint8_t> out_;
 };
 
-bool solidInNode(const OctreeView& octree, std::uint32_t word, glm::ivec3 min, int edge,
-                 const IBox& box) {
+// visit(part) for the empty parts until it returns false; whether it never did.
+template <class Visit>
+bool visitEmpty(const OctreeView& octree, std::uint32_t word, glm::ivec3 min, int edge,
+                const IBox& box, const Visit& visit) {
     const IBox part = box.intersected({min, min + edge});
     if (part.empty() || node::isUniform(word)) return true;
-    if (node::isEmpty(word)) return false;
+    if (node::isEmpty(word)) return visit(part);
     if (node::isBrick(word)) {
         const std::uint64_t payload = octree.payloads[node::payloadIndex(word)];
         for (unsigned octant = 0; octant < 8; ++octant) {
-            if (payloadMaterial(payload, octant) == 0 && part.contains(min + octantCorner(octant)))
+            const glm::ivec3 voxel = min + octantCorner(octant);
+            if (payloadMaterial(payload, octant) == 0 && part.contains(voxel) &&
+                !visit(IBox{voxel, voxel + 1}))
                 return false;
         }
         return true;
@@ -70,7 +74,8 @@ bool solidInNode(const OctreeView& octree, std::uint32_t word, glm::ivec3 min, i
     for (unsigned octant = 0; octant < 8; ++octant) {
         const std::uint32_t child =
             node::hasChild(word, octant) ? octree.nodes[node::childIndex(word, octant)] : 0;
-        if (!solidInNode(octree, child, min + octantCorner(octant) * (edge / 2), edge / 2, part))
+        if (!visitEmpty(octree, child, min + octantCorner(octant) * (edge / 2), edge / 2, part,
+                        visit))
             return false;
     }
     return true;
@@ -83,9 +88,19 @@ void readBox(const OctreeView& octree, const IBox& box, std::span<std::uint8_t> 
     BoxReader(octree, box, out).read(octree.nodes[0], glm::ivec3(0), 1 << octree.maxDepth);
 }
 
+void forEachEmptyPart(const OctreeView& octree, const IBox& box,
+                      const std::function<void(const IBox& part)>& visit) {
+    visitEmpty(octree, octree.nodes[0], glm::ivec3(0), 1 << octree.maxDepth, box,
+               [&](const IBox& part) {
+                   visit(part);
+                   return true;
+               });
+}
+
 bool solidThroughout(const OctreeView& octree, const IBox& box) {
     if (box.intersected(modelBox(octree)) != box) return false;
-    return solidInNode(octree, octree.nodes[0], glm::ivec3(0), 1 << octree.maxDepth, box);
+    return visitEmpty(octree, octree.nodes[0], glm::ivec3(0), 1 << octree.maxDepth, box,
+                      [](const IBox&) { return false; });
 }
 
 }  // namespace voxprite
