@@ -17,7 +17,7 @@ Result<Image> drawVoxels(const Shot& shot, const GpuOctree& octree) {
     if (!view) return Failure(view.error());
     VoxelViewOptions options;
     options.edges = false;
-    options.occlusion = false;
+    options.occlusion = VoxelOcclusion::off;
     options.spriteLight = true;
     options.shading = shot.profile.shading;
     options.ground = false;
@@ -53,6 +53,11 @@ Result<Drawn> drawOnGl(const Shot& shot, RenderMode mode, bool wantImage, Times&
     if (!context) return Failure(context.error());
     Drawn drawn;
     drawn.driver = gl::driverInfo().renderer + ", " + gl::driverInfo().version;
+    if (mode == RenderMode::clusters) {
+        Result<Drawn> clusters = drawClusters(shot, times);
+        if (clusters) clusters->driver = drawn.driver;
+        return clusters;
+    }
     GpuOctree octree;
     octree.upload(shot.octree.view());
     if (mode == RenderMode::voxels) {

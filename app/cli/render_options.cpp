@@ -12,9 +12,9 @@
 namespace voxprite::cli {
 namespace {
 
-constexpr std::array kModes{std::pair{RenderMode::sprite, "sprite"},
-                            std::pair{RenderMode::singlePass, "single_pass"},
-                            std::pair{RenderMode::voxels, "voxels"}};
+constexpr std::array kModes{
+    std::pair{RenderMode::sprite, "sprite"}, std::pair{RenderMode::singlePass, "single_pass"},
+    std::pair{RenderMode::voxels, "voxels"}, std::pair{RenderMode::clusters, "clusters"}};
 constexpr std::array kBackends{std::pair{Backend::cpu, "cpu"}, std::pair{Backend::gl, "gl"}};
 
 template <class Table, class E>
@@ -126,6 +126,10 @@ void addProfileOptions(CLI::App& app, RenderOptions& o) {
         depthFrom, o.depth);
     add(app, "--shading", "multiply|palette",
         "Light multiplies the colours, or picks among the palette's", shadingFrom, o.shading);
+    add(app, "--occlusion", "0...1", "How dark faces get that voxels stand around (0: off)",
+        numberFrom, o.occlusion);
+    add(app, "--shadow", "0...1", "How much light faces lose that lie in shadow (0: off)",
+        numberFrom, o.shadow);
     add(app, "--minification", "[on|off]", "Halve sigma while a virtual pixel is under a pixel",
         switchFrom, o.minification);
     add(app, "--clearance", "PIXELS", "Virtual pixels between the entity and the ground",
@@ -160,8 +164,13 @@ void addRenderOptions(CLI::App& app, RenderOptions& o) {
     app.add_option("--buffer", o.buffer,
                    "The bare sprite buffer: one pixel a virtual pixel, transparent outside")
         ->type_name("OUT.png");
-    add(app, "--mode", "sprite|single_pass|voxels",
+    add(app, "--mode", "sprite|single_pass|voxels|clusters",
         "What is drawn, and how (else as the profile has it)", modeFrom, o.mode);
+    add(app, "--cluster-budget", "PIXELS",
+        "Mode clusters: screen pixels that a surface may be off (1; 0 is the finest)", numberFrom,
+        o.clusterBudgetPx);
+    app.add_flag("--tint-levels", o.tintLevels,
+                 "Mode clusters: colours tell how coarse each cluster is");
     add(app, "--backend", "cpu|gl", "Where it is drawn", backendFrom, o.backend);
     app.add_option("--lattice", o.lattice,
                    "Cast exactly this view: the `lattice` of `render --json`, or all of that JSON")

@@ -13,9 +13,13 @@
 
 namespace voxprite::cli {
 
-enum class RenderMode : std::uint8_t { sprite, singlePass, voxels };
+enum class RenderMode : std::uint8_t { sprite, singlePass, voxels, clusters };
 enum class Backend : std::uint8_t { cpu, gl };
 [[nodiscard]] const char* nameOf(RenderMode mode);
+// Else it shows the model in perspective, and has no sprite buffer.
+[[nodiscard]] inline bool showsSprite(RenderMode mode) {
+    return mode != RenderMode::voxels && mode != RenderMode::clusters;
+}
 [[nodiscard]] const char* nameOf(Backend backend);
 
 struct RenderOptions {
@@ -23,6 +27,8 @@ struct RenderOptions {
     std::optional<std::string> output;  // the picture
     std::optional<std::string> buffer;  // the bare sprite buffer
     std::optional<RenderMode> mode;     // else the profile's
+    double clusterBudgetPx = 1.0;       // mode clusters: screen pixels a surface may be off
+    bool tintLevels = false;            // mode clusters: colours tell the level of detail
     Backend backend = Backend::cpu;
     std::optional<int> model;
     int frame = 0;
@@ -48,6 +54,7 @@ struct RenderOptions {
 
     // The profile, where it is not as its file or the built-in one has it.
     std::optional<double> voxelSizeMetres, sigma, clearancePx, viewStepDegrees;
+    std::optional<double> occlusion, shadow;
     std::optional<ViewRule> view;
     std::optional<Registration> registration;
     std::optional<ProxyShape> proxy;

@@ -42,6 +42,8 @@ Result<GameProfile> profileOf(const RenderOptions& options) {
     overrideBy(options.proxy, profile.proxy);
     overrideBy(options.depth, profile.depth);
     overrideBy(options.shading, profile.shading);
+    overrideBy(options.occlusion, profile.light.occlusion);
+    overrideBy(options.shadow, profile.light.shadow);
     overrideBy(options.clearancePx, profile.groundClearancePx);
     overrideBy(options.minification, profile.minification);
     overrideBy(options.viewStepDegrees, profile.viewStepDegrees);
@@ -111,11 +113,9 @@ Status castGivenLattice(Shot& shot, const std::string& path) {
     shot.lattice = file->lattice;
     shot.latticeGiven = true;
     shot.sigmaInForce = file->sigmaInForce.value_or(sigmaOf(shot.lattice, shot.placed.scale));
-    const glm::dvec3 towardLight =
-        glm::transpose(shot.placed.worldFromVoxelAxes) * shot.profile.light.towardLight;
-    shot.lit =
-        litPalette(shot.palette, faceLight(shot.lattice.D, towardLight, shot.profile.light.ambient),
-                   shot.profile.outline, shot.profile.shading);
+    const FaceLights lights = faceLights(
+        shot.lattice.D, glm::transpose(shot.placed.worldFromVoxelAxes), shot.profile.light);
+    shot.lit = litPalette(shot.palette, lights, shot.profile.outline, shot.profile.shading);
     return {};
 }
 
@@ -170,7 +170,9 @@ Result<Shot> makeShot(const RenderOptions& options, Times& times) {
     shot.camera = cameraOf(options, shot.placed, *profile);
     shot.ground = groundOf(options, shot);
     shot.background = options.background;
-    if (options.mode == RenderMode::voxels) {
+    shot.clusterBudgetPx = options.clusterBudgetPx;
+    shot.tintLevels = options.tintLevels;
+    if (!showsSprite(shot.mode)) {
         if (options.lattice) throw CLI::ValidationError("--lattice", "is for sprites");
         return shot;
     }

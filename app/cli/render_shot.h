@@ -35,7 +35,11 @@ struct Shot {
     std::optional<Ground> ground;
     Rgba8 background{0, 0, 0, 0};
 
-    // The sprite; in mode `voxels` there is none.
+    // Mode `clusters`.
+    double clusterBudgetPx = 1.0;
+    bool tintLevels = false;
+
+    // The sprite; the modes in perspective have none.
     std::optional<SpriteView> view;  // not set with a given lattice, or unseen
     std::optional<Unseen> unseen;
     LatticeView lattice;  // size (0, 0) when unseen
@@ -47,14 +51,29 @@ struct Shot {
 // Reads the files. Options out of range are wrong usage (CLI::ValidationError).
 [[nodiscard]] Result<Shot> makeShot(const RenderOptions& options, Times& times);
 
+// What mode `clusters` chose for the picture, finest level first; all of the model, seen or not.
+struct ChosenClusters {
+    struct Level {
+        int level = 0;
+        std::uint64_t clusters = 0;
+        std::uint64_t triangles = 0;
+    };
+    std::vector<Level> levels;  // those that were chosen from
+    std::uint64_t allClusters = 0;
+    std::uint64_t bytes = 0;  // of the mesh on the GPU
+};
+
 struct Drawn {
-    std::optional<SpriteBuffer> buffer;  // none in mode `voxels`
+    std::optional<SpriteBuffer> buffer;  // none in perspective
     std::optional<Image> image;          // when asked for
     std::string driver;                  // of GL
+    std::optional<ChosenClusters> clusters;
 };
 [[nodiscard]] Result<Drawn> drawOnCpu(const Shot& shot, RenderMode mode, bool wantImage,
                                       Times& times);
 [[nodiscard]] Result<Drawn> drawOnGl(const Shot& shot, RenderMode mode, bool wantImage,
                                      Times& times);
+// Mode `clusters`, in the context that is current.
+[[nodiscard]] Result<Drawn> drawClusters(const Shot& shot, Times& times);
 
 }  // namespace voxprite::cli
