@@ -21,7 +21,7 @@ void addEdit(CLI::App& app, Command& command) {
         [options](const std::vector<std::string>& files) {
             options->files.assign(files.begin(), files.end());
         },
-        "Models to open: .vox, .voxprite or .svo");
+        "Models to open: .voxprite, .vox, .svo or .csm");
     const auto addPath = [&](const char* name, std::optional<std::filesystem::path>& target,
                              const char* form, const char* description) {
         sub.add_option_function<std::string>(

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "core/base/file.h"
+#include "core/io/csm_reader.h"
+#include "core/io/csm_writer.h"
 #include "core/io/project_file.h"
 #include "core/io/svo_file.h"
 #include "core/io/vox.h"
@@ -13,9 +15,15 @@
 namespace voxprite {
 namespace {
 
-constexpr std::array kFormats{std::pair{Format::vox, "vox"},
-                              std::pair{Format::voxprite, "voxprite"},
-                              std::pair{Format::svo, "svo"}};
+constexpr std::array kFormats{std::pair{Format::voxprite, "voxprite"},
+                              std::pair{Format::vox, "vox"}, std::pair{Format::svo, "svo"},
+                              std::pair{Format::csm, "csm"}};
+
+std::string knownEndings() {
+    std::string known;
+    for (const std::string& ending : modelEndings()) known += (known.empty() ? "" : ", ") + ending;
+    return known;
+}
 
 Result<LoadedDocument> readAs(Format format, ByteView bytes) {
     LoadedDocument loaded;
@@ -40,6 +48,15 @@ Result<LoadedDocument> readAs(Format format, ByteView bytes) {
             loaded.document = documentFromSvo(*file);
             break;
         }
+        case Format::csm: {
+            Result<Document> document = readCsm(bytes);
+            if (!document) return Failure(document.error());
+            loaded.document = std::move(*document);
+            if (loaded.document.models[0].voxels.empty()) {
+                loaded.warnings.emplace_back("the text assigns no voxel");
+            }
+            break;
+        }
     }
     return loaded;
 }
@@ -61,6 +78,8 @@ Result<Bytes> writeAs(Format format, const Document& document, const GameProfile
             return writeProject(document, {profile.voxelSizeMetres, profile.sigma});
         case Format::svo:
             return exportOf(document, profile);
+        case Format::csm:
+            return writeCsm(document);
     }
     return fail("unknown format");
 }
@@ -77,8 +96,8 @@ Result<Format> formatOf(const std::filesystem::path& path) {
     }
     return failInFile(path.string(),
                       ending.empty()
-                          ? "the file's name has no ending (.vox, .voxprite, .svo)"
-                          : "unknown file ending " + ending + " (known: .vox, .voxprite, .svo)");
+                          ? "the file's name has no ending (" + knownEndings() + ")"
+                          : "unknown file ending " + ending + " (known: " + knownEndings() + ")");
 }
 
 const char* nameOf(Format format) {
@@ -86,6 +105,12 @@ const char* nameOf(Format format) {
         if (value == format) return name;
     }
     return "unknown";
+}
+
+std::vector<std::string> modelEndings() {
+    std::vector<std::string> endings;
+    for (const auto& [format, name] : kFormats) endings.push_back(std::string(".") + name);
+    return endings;
 }
 
 Result<LoadedDocument> loadDocument(const std::filesystem::path& path) {
@@ -99,6 +124,7 @@ Result<LoadedDocument> loadDocument(const std::filesystem::path& path) {
 std::vector<std::string> lossesOf(const Document& document, Format format) {
     std::vector<std::string> losses;
     if (format == Format::voxprite) return losses;
+    if (format == Format::csm) return csmLosses(document);
     const std::string where = std::string(".") + nameOf(format);
     const Palette& palette = document.palette;
     if (!palette.variants.empty()) {

@@ -12,7 +12,7 @@
 
 namespace voxprite {
 
-enum class Format : std::uint8_t { vox, voxprite, svo };
+enum class Format : std::uint8_t { vox, voxprite, svo, csm };
 
 struct LoadedDocument {
     Document document;
@@ -22,6 +22,8 @@ struct LoadedDocument {
 
 [[nodiscard]] Result<Format> formatOf(const std::filesystem::path& path);
 [[nodiscard]] const char* nameOf(Format format);
+// Of every format, with the dot; the native one first.
+[[nodiscard]] std::vector<std::string> modelEndings();
 // Errors name the file, the place in it and the reason. Nothing is half loaded.
 [[nodiscard]] Result<LoadedDocument> loadDocument(const std::filesystem::path& path);
 // What writing the document in this format leaves out, one sentence each; none for .voxprite.

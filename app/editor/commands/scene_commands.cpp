@@ -4,6 +4,7 @@
 #include "app/editor/views/sprite_viewport.h"
 #include "app/editor/window/icons.h"
 #include "core/edit/make_action.h"
+#include "core/io/formats.h"
 
 namespace voxprite::editor {
 namespace {
@@ -39,7 +40,7 @@ bool isSinglePass(const CommandContext& c) {
 void addModel(CommandContext& c) {
     c.files.browse({.title = "Add a model to the scene",
                     .button = "Add",
-                    .extensions = {".voxprite", ".vox", ".svo"}},
+                    .extensions = modelEndings()},
                    [](CommandContext& context, const std::filesystem::path& file) {
                        SceneSettings& scene = context.settings.scene;
                        std::erase(scene.extras, ExtraModelChoice{file, false});

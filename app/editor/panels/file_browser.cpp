@@ -38,6 +38,8 @@ void FileBrowser::open(Request request) {
     open_ = true;
     appeared_ = false;
     name_ = request_.name;
+    lossesFor_.reset();
+    losses_.clear();
     std::error_code ignored;
     fs::path start = request_.folder;
     if (!fs::is_directory(start, ignored)) start = fs::current_path(ignored);
@@ -184,6 +186,27 @@ std::optional<fs::path> FileBrowser::accept() {
     return path;
 }
 
+void FileBrowser::drawNote(Ui& ui) {
+    const std::string extension = lower(fs::path(name_).extension().string());
+    if (request_.losses && lossesFor_ != extension) {
+        losses_ = request_.losses("model" + extension);
+        lossesFor_ = extension;
+    }
+    const bool problem = !problem_.empty() || losses_.empty();
+    std::string text = problem ? problem_ : losses_.front();
+    if (!problem && losses_.size() > 1) {
+        text += " (+ " + std::to_string(losses_.size() - 1) + ")";
+    }
+    ImGui::PushStyleColor(ImGuiCol_Text, problem ? ui.theme.danger : ui.theme.textDim);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+    ui.probe.markItem("browser.note");
+    if (problem || !ImGui::IsItemHovered()) return;
+    ImGui::BeginTooltip();
+    for (const std::string& loss : losses_) ImGui::TextUnformatted(loss.c_str());
+    ImGui::EndTooltip();
+}
+
 void FileBrowser::drawFooter(Ui& ui, bool& accepted) {
     const Theme& theme = ui.theme;
     const ImVec2 button(theme.px(96), theme.px(30));
@@ -232,9 +255,7 @@ std::optional<fs::path> FileBrowser::draw(Ui& ui) {
         bool accepted = false;
         const float below = theme.px(30 + 14 + 20);
         drawList(ui, ImGui::GetContentRegionAvail().y - below, accepted);
-        ImGui::PushStyleColor(ImGuiCol_Text, theme.danger);
-        ImGui::TextUnformatted(problem_.c_str());
-        ImGui::PopStyleColor();
+        drawNote(ui);
         drawFooter(ui, accepted);
         if (accepted) chosen = accept();
         if (chosen || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {

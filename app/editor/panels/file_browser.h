@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ class FileBrowser {
         std::vector<std::string> extensions{};  // ".vox", ...; the first is added when saving
         std::filesystem::path folder{};         // where to start
         std::string name{};                     // suggested
+        // What a file of this name would leave out, a sentence each; said before it is written.
+        std::function<std::vector<std::string>(const std::filesystem::path&)> losses{};
     };
     void open(Request request);
     [[nodiscard]] bool isOpen() const { return open_; }
@@ -35,6 +38,8 @@ class FileBrowser {
     void drawPath(Ui& ui);
     void drawList(Ui& ui, float height, bool& accepted);
     [[nodiscard]] std::optional<std::filesystem::path> accept();
+    // Why the name cannot be used, else what its format leaves out.
+    void drawNote(Ui& ui);
     void drawFooter(Ui& ui, bool& accepted);
 
     Request request_;
@@ -43,7 +48,9 @@ class FileBrowser {
     std::filesystem::path folder_;
     std::vector<Entry> entries_;
     std::string name_;
-    std::string problem_;    // why the name cannot be used
+    std::string problem_;                   // why the name cannot be used
+    std::optional<std::string> lossesFor_;  // the ending that losses_ are of
+    std::vector<std::string> losses_;
     std::string overwrite_;  // the name whose overwriting is asked about
 };
 

@@ -7,7 +7,6 @@
 namespace voxprite::editor {
 namespace {
 
-const std::vector<std::string> kModelExtensions{".voxprite", ".vox", ".svo"};
 const std::vector<std::string> kProfileExtensions{".json"};
 constexpr double kProgressAfterSeconds = 0.25;
 
@@ -31,8 +30,9 @@ void FileFlow::saveAs() {
     browse({.title = "Save as",
             .button = "Save",
             .saving = true,
-            .extensions = {".voxprite", ".vox"},
-            .name = stemOf(context_.session) + ".voxprite"},
+            .extensions = {".voxprite", ".vox", ".csm"},
+            .name = stemOf(context_.session) + ".voxprite",
+            .losses = [this](const std::filesystem::path& path) { return lossesAt(path); }},
            [this](CommandContext&, const std::filesystem::path& path) { saveTo(path); });
 }
 
@@ -41,7 +41,8 @@ void FileFlow::exportOctree() {
             .button = "Export",
             .saving = true,
             .extensions = {".svo"},
-            .name = stemOf(context_.session) + ".svo"},
+            .name = stemOf(context_.session) + ".svo",
+            .losses = [this](const std::filesystem::path& path) { return lossesAt(path); }},
            [this](CommandContext&, const std::filesystem::path& path) { exportTo(path); });
 }
 
@@ -153,7 +154,7 @@ void FileFlow::goOn() {
             return;
         case Waiting::openDialog:
             return browse(
-                {.title = "Open a model", .button = "Open", .extensions = kModelExtensions},
+                {.title = "Open a model", .button = "Open", .extensions = modelEndings()},
                 [this](CommandContext&, const std::filesystem::path& path) { openNow(path); });
         case Waiting::openFile:
             return openNow(waitingFile_);
@@ -223,12 +224,14 @@ void FileFlow::saveTo(const std::filesystem::path& path) {
     });
 }
 
-void FileFlow::tellLosses(const std::filesystem::path& path) {
+std::vector<std::string> FileFlow::lossesAt(const std::filesystem::path& path) const {
     const Result<Format> format = formatOf(path);
-    if (!format) return;
-    for (std::string& loss : lossesOf(context_.session.document(), *format)) {
-        context_.toasts.info(std::move(loss));
-    }
+    if (!format) return {};
+    return lossesOf(context_.session.document(), *format);
+}
+
+void FileFlow::tellLosses(const std::filesystem::path& path) {
+    for (std::string& loss : lossesAt(path)) context_.toasts.info(std::move(loss));
 }
 
 bool FileFlow::tell(const Status& done, const std::string& news) {

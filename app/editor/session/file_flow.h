@@ -59,7 +59,8 @@ class FileFlow {
     void write(std::string title, const std::filesystem::path& path,
                std::function<void()> afterwards);
     void cancelWork();
-    // What the format of a file that was written cannot hold.
+    // What the format of a file of this name cannot hold.
+    [[nodiscard]] std::vector<std::string> lossesAt(const std::filesystem::path& path) const;
     void tellLosses(const std::filesystem::path& path);
     // A failure to be read; success to be seen in passing.
     bool tell(const Status& done, const std::string& news);

@@ -111,7 +111,7 @@ class Session {
 
     [[nodiscard]] Status startNew();
     [[nodiscard]] Status open(const std::filesystem::path& path);
-    // Native, .vox or .svo, by the ending. Only the native format makes the document saved under
+    // In any format, by the ending. Only the native format makes the document saved under
     // that name; the others are exports.
     [[nodiscard]] Status saveAs(const std::filesystem::path& path);
 

@@ -44,7 +44,8 @@ void Session::adopt(Opened opened) {
     path_ = std::move(opened.path);
     warnings_ = std::move(opened.loaded.warnings);
     // A game's profile wins over what the file was made with; the built-in one stands for no game.
-    if (!profilePath_ && opened.loaded.format != Format::vox) {
+    const Format format = opened.loaded.format;
+    if (!profilePath_ && (format == Format::voxprite || format == Format::svo)) {
         workspace_.profile.voxelSizeMetres = authored.voxelSizeMetres;
         workspace_.profile.sigma = authored.sigma;
         savedProfile_ = workspace_.profile;

@@ -21,7 +21,9 @@ TEST(Formats, AreKnownByTheirEnding) {
     EXPECT_EQ(formatOf("HUT.VOX").value(), Format::vox);
     EXPECT_EQ(formatOf("my.game.voxprite").value(), Format::voxprite);
     EXPECT_EQ(formatOf("x.svo").value(), Format::svo);
-    for (const Format format : {Format::vox, Format::voxprite, Format::svo}) {
+    EXPECT_EQ(formatOf("x.csm").value(), Format::csm);
+    EXPECT_EQ(modelEndings(), (std::vector<std::string>{".voxprite", ".vox", ".svo", ".csm"}));
+    for (const Format format : {Format::vox, Format::voxprite, Format::svo, Format::csm}) {
         EXPECT_EQ(formatOf(std::string("x.") + nameOf(format)).value(), format);
     }
     const auto unknown = formatOf("hut.obj");
@@ -71,6 +73,27 @@ TEST(Formats, EveryFormatKeepsTheVoxels) {
             EXPECT_EQ(different, 0u) << name << " frame " << frame;
         }
     }
+}
+
+TEST(Formats, CsmKeepsTheVoxelsOfOneFrame) {
+    const test::TemporaryFolder folder;
+    const fs::path path = folder / "figure.csm";
+    const Document document = test::documentOf(test::figure());
+    ASSERT_TRUE(saveDocument(path, document, GameProfile{}));
+    const auto loaded = loadDocument(path);
+    ASSERT_TRUE(loaded) << loaded.error().describe();
+    EXPECT_EQ(loaded->format, Format::csm);
+    EXPECT_TRUE(loaded->warnings.empty());
+    EXPECT_EQ(flatten(loaded->document, 0), test::figure());
+    EXPECT_FALSE(lossesOf(document, Format::csm).empty());
+
+    std::ofstream(path) << "> [1 2 3\n4 5 6 7 888]";
+    const auto wrong = loadDocument(path);
+    ASSERT_FALSE(wrong);
+    EXPECT_EQ(wrong.error().describe(),
+              path.string() + ": line 2, column 9: a value above 255 has no voxel: 0 to 255");
+    std::ofstream(path) << "";
+    EXPECT_EQ(loadDocument(path)->warnings.size(), 1u);
 }
 
 TEST(Formats, ProjectsRecordTheProfileAtTheTimeOfSaving) {
