@@ -11,6 +11,7 @@
 
 #include "core/billboard/snapshot.h"
 #include "core/model/game_profile.h"
+#include "core/sprite/camera.h"
 #include "core/sprite/placed_entity.h"
 #include "core/svo/bake.h"
 #include "tests/support/must.h"
