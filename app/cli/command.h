@@ -38,6 +38,7 @@ void addConvert(CLI::App& app, Command& command);
 void addExport(CLI::App& app, Command& command);
 void addPalette(CLI::App& app, Command& command);
 void addRender(CLI::App& app, Command& command);
+void addSheet(CLI::App& app, Command& command);
 void addCompare(CLI::App& app, Command& command);
 void addBench(CLI::App& app, Command& command);
 void addTrade(CLI::App& app, Command& command);

@@ -58,6 +58,7 @@ int runCommandLine(std::vector<std::string> arguments) {
     addExport(app, command);
     addPalette(app, command);
     addRender(app, command);
+    addSheet(app, command);
     addCompare(app, command);
     addBench(app, command);
     addTrade(app, command);

@@ -1,0 +1,166 @@
+#include "core/sheet/sheet_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "core/io/json_text.h"
+#include "core/model/playback.h"
+
+namespace voxprite {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json rectangle(glm::ivec2 corner, glm::ivec2 size) {
+    return {{"x", corner.x}, {"y", corner.y}, {"w", size.x}, {"h", size.y}};
+}
+
+Json sizeOf(glm::ivec2 size) {
+    return {{"w", size.x}, {"h", size.y}};
+}
+
+Json point(glm::dvec2 px) {
+    return {px.x, px.y};
+}
+
+std::string degrees(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value);
+    return text;
+}
+
+std::string viewName(const SheetSprite& sprite, const SheetOptions& options) {
+    std::string name = "yaw" + degrees(sprite.yawDegrees);
+    if (options.pitchesDegrees.size() > 1) name += "/pitch" + degrees(sprite.pitchDegrees);
+    return name;
+}
+
+Json frameOf(const SheetSprite& sprite, const Sheet& sheet, const Document& document,
+             const SheetOptions& options, const std::string& stem) {
+    Json sockets = Json::object();
+    for (const SheetSocket& socket : sprite.sockets) {
+        sockets[jsonTextFromBytes(socket.name)] = {{"px", point(socket.px)},
+                                                   {"visible", socket.visible}};
+    }
+    return {{"filename", jsonTextFromBytes(stem) + "/" + viewName(sprite, options) + "/" +
+                             std::to_string(sprite.frame)},
+            {"frame", rectangle(sprite.at, sprite.size)},
+            {"rotated", false},
+            {"trimmed", sprite.size != sheet.cellPx},
+            {"spriteSourceSize", rectangle(sprite.inCell, sprite.size)},
+            {"sourceSize", sizeOf(sheet.cellPx)},
+            {"duration", frameMilliseconds(document, sprite.frame)},
+            {"voxprite",
+             {{"direction", sprite.direction},
+              {"yaw", sprite.yawDegrees},
+              {"pitch", sprite.pitchDegrees},
+              {"frame", sprite.frame},
+              {"anchor", point(sprite.anchorPx)},
+              {"sockets", sockets}}}};
+}
+
+// The clips whose frames the sheet has, as runs of sprites of one view; without clips, all frames.
+Json tagsOf(const Sheet& sheet, const Document& document, const SheetOptions& options) {
+    Json tags = Json::array();
+    const auto sameView = [](const SheetSprite& a, const SheetSprite& b) {
+        return a.direction == b.direction && a.pitchDegrees == b.pitchDegrees;
+    };
+    std::vector<Clip> clips = document.clips;
+    if (clips.empty()) clips.push_back(Clip{"frames", 0, kMaxFrames - 1, 8.0, true, {}});
+    for (std::size_t from = 0; from < sheet.sprites.size();) {
+        std::size_t to = from + 1;
+        while (to < sheet.sprites.size() && sameView(sheet.sprites[from], sheet.sprites[to])) ++to;
+        for (const Clip& clip : clips) {
+            const auto within = [&](const SheetSprite& sprite) {
+                return sprite.frame >= clip.first && sprite.frame <= clip.last;
+            };
+            const auto begin = sheet.sprites.begin() + static_cast<std::ptrdiff_t>(from);
+            const auto end = sheet.sprites.begin() + static_cast<std::ptrdiff_t>(to);
+            const auto first = std::find_if(begin, end, within);
+            if (first == end) continue;
+            const auto after = std::find_if_not(first, end, within);
+            tags.push_back({{"name", jsonTextFromBytes(clip.name) + "/" +
+                                         viewName(sheet.sprites[from], options)},
+                            {"from", first - sheet.sprites.begin()},
+                            {"to", after - sheet.sprites.begin() - 1},
+                            {"direction", "forward"}});
+        }
+        from = to;
+    }
+    return tags;
+}
+
+Json clipsOf(const Document& document) {
+    Json clips = Json::array();
+    for (const Clip& clip : document.clips) {
+        clips.push_back({{"name", jsonTextFromBytes(clip.name)},
+                         {"first", clip.first},
+                         {"last", clip.last},
+                         {"loop", clip.loop}});
+    }
+    return clips;
+}
+
+}  // namespace
+
+std::string pictureName(const std::string& imageName, const std::string& picture) {
+    if (picture.empty()) return imageName;
+    const std::filesystem::path path(imageName);
+    const std::string name = path.stem().string() + "." + picture + path.extension().string();
+    return (path.parent_path() / name).string();
+}
+
+int frameMilliseconds(const Document& document, int frame) {
+    for (const Clip& clip : document.clips) {
+        if (frame < clip.first || frame > clip.last) continue;
+        return static_cast<int>(std::lround(frameSeconds(clip, frame) * 1000.0));
+    }
+    return 125;
+}
+
+std::string sheetJson(const Sheet& sheet, const Document& document, const GameProfile& profile,
+                      const SheetOptions& options, const std::string& imageName) {
+    const std::string stem = std::filesystem::path(imageName).stem().string();
+    Json frames = Json::array();
+    for (const SheetSprite& sprite : sheet.sprites) {
+        frames.push_back(frameOf(sprite, sheet, document, options, stem));
+    }
+    Json images = Json::object();
+    for (const SheetPicture& picture : sheet.pictures) {
+        if (picture.name.empty()) continue;
+        images[jsonTextFromBytes(picture.name)] =
+            jsonTextFromBytes(pictureName(imageName, picture.name));
+    }
+    const Image& image = sheet.pictures.front().image;
+    const Json anchor = {{"frame", 0},
+                         {"bounds", rectangle({0, 0}, sheet.cellPx)},
+                         {"pivot", {{"x", sheet.anchorPixel.x}, {"y", sheet.anchorPixel.y}}}};
+    const Json json = {
+        {"frames", frames},
+        {"meta",
+         {{"app", "voxprite"},
+          {"version", "1"},
+          {"image", jsonTextFromBytes(imageName)},
+          {"format", "RGBA8888"},
+          {"size", sizeOf({image.width, image.height})},
+          {"scale", "1"},
+          {"frameTags", tagsOf(sheet, document, options)},
+          {"layers", Json::array()},
+          {"slices",
+           Json::array({{{"name", "anchor"}, {"color", "#ff8000ff"}, {"keys", {anchor}}}})},
+          {"voxprite",
+           {{"voxel_size_metres", profile.voxelSizeMetres},
+            {"sigma", profile.sigma},
+            {"pixel_metres", sheet.metresPerPx},
+            {"directions", options.directions},
+            {"pitches", options.pitchesDegrees},
+            {"depth_range_metres", sheet.depthRangeMetres},
+            {"clips", clipsOf(document)},
+            {"images", images}}}}}};
+    return json.dump(2) + "\n";
+}
+
+}  // namespace voxprite

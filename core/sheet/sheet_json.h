@@ -1,0 +1,24 @@
+// The text beside a sheet's picture, in the layout that Aseprite writes (array form), which most
+// engines read: frames with their rectangles, trim offsets and durations, tags for the animations,
+// a slice whose pivot is the anchor. What that layout has no place for stands under "voxprite".
+#pragma once
+
+#include <string>
+
+#include "core/sheet/sheet.h"
+
+namespace voxprite {
+
+// `imageName` is the file of the sheet's first picture as the text shall name it; the others are
+// named after it, see pictureName.
+[[nodiscard]] std::string sheetJson(const Sheet& sheet, const Document& document,
+                                    const GameProfile& profile, const SheetOptions& options,
+                                    const std::string& imageName);
+
+// "knight.png" and "normals" make "knight.normals.png".
+[[nodiscard]] std::string pictureName(const std::string& imageName, const std::string& picture);
+
+// How long a frame of the document shows: as the first clip says that has it, else at 8 a second.
+[[nodiscard]] int frameMilliseconds(const Document& document, int frame);
+
+}  // namespace voxprite
