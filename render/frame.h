@@ -29,8 +29,9 @@ class Frame {
     [[nodiscard]] glm::ivec2 sizePx() const { return sizePx_; }
     // Rows bottom first, as GL has them: show it flipped.
     [[nodiscard]] std::uint32_t colourTexture() const { return colour_.id(); }
-    [[nodiscard]] Image readColour() const;              // top row first
-    [[nodiscard]] std::vector<float> readDepth() const;  // top row first
+    [[nodiscard]] std::uint32_t depthTexture() const { return depth_.id(); }  // the same way up
+    [[nodiscard]] Image readColour() const;                                   // top row first
+    [[nodiscard]] std::vector<float> readDepth() const;                       // top row first
 
   private:
     glm::ivec2 sizePx_{0};

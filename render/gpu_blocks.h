@@ -23,7 +23,8 @@ enum class BlockBinding : std::uint32_t {
     voxelView = 6,
     overlay = 7,
     clusterCut = 8,
-    clusterDraw = 9
+    clusterDraw = 9,
+    snapshotDraw = 10
 };
 
 // binding = N of each buffer
@@ -33,11 +34,19 @@ enum class BufferBinding : std::uint32_t {
     blobs = 2,
     clusterPages = 3,
     clusterCuts = 4,
-    clusterCommands = 5
+    clusterCommands = 5,
+    snapshots = 6
 };
 
 // binding = N of each texture
-enum class TextureUnit : std::uint32_t { svo = 0, palette = 1, spriteColours = 2, spriteIds = 3 };
+enum class TextureUnit : std::uint32_t {
+    svo = 0,
+    palette = 1,
+    spriteColours = 2,
+    spriteIds = 3,
+    snapshotColours = 4,
+    snapshotDepths = 5
+};
 
 // binding = N of each image
 enum class ImageUnit : std::uint32_t { sprites = 0 };
