@@ -31,10 +31,11 @@ struct LeftOut {
 [[nodiscard]] std::vector<LeftOut> rowsLeftOut();
 
 using Comparisons = std::vector<Comparison>;
-void comparePlace(Comparisons& all);   // rows 1, 2, 3, 5, 6, 14: where and how large it stands
-void compareView(Comparisons& all);    // rows 4, 13: from which way it is seen
-void comparePixels(Comparisons& all);  // rows 8, 9, 16: which voxel a pixel shows
-void compareScreen(Comparisons& all);  // rows 7, 12, 15: what reaches the screen, and its cost
-void compareDepth(Comparisons& all);   // rows 10, 11, 19: depth and large worlds
+void comparePlace(Comparisons& all);     // rows 1, 2, 3, 5, 6, 14: where and how large it stands
+void compareView(Comparisons& all);      // rows 4, 13: from which way it is seen
+void comparePixels(Comparisons& all);    // rows 8, 9, 16: which voxel a pixel shows
+void compareScreen(Comparisons& all);    // rows 7, 12, 15: what reaches the screen, and its cost
+void compareDepth(Comparisons& all);     // rows 10, 11, 19: depth and large worlds
+void compareClusters(Comparisons& all);  // row 17: which clusters stand for a surface
 
 }  // namespace voxprite::conformance
