@@ -28,7 +28,7 @@ struct CutBlock {
 static_assert(sizeof(CutBlock) == 16);
 
 struct DrawBlock {
-    glm::vec2 half_viewport_px{0.0f};
+    glm::vec2 half_frame_px{0.0f};
     float widened_px = 0.0f;
     float level_tint = 0.0f;
 };

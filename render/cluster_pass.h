@@ -21,6 +21,9 @@
 
 namespace voxprite {
 
+// How far the colours that tell levels take the place of a model's own.
+inline constexpr float kLevelTint = 0.8f;
+
 // How a camera sees clusters of an entity, for core/lod/cluster_cut.h: positions in metres, the
 // world's axes, the camera at `cameraPosition`.
 [[nodiscard]] ClusterView clusterView(const PlacedEntity& placed, glm::ivec3 treeFromVoxel,

@@ -19,8 +19,6 @@ namespace voxprite {
 
 namespace {
 
-constexpr float kLevelTint = 0.8f;
-
 // A row of colours for each palette and light that some face has.
 class FaceRows {
   public:

@@ -6,8 +6,10 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "render/cluster_pass.h"
 #include "render/gl/draw_state.h"
 #include "render/gl/program.h"
+#include "render/occlusion_rays.h"
 #include "render/palette_texture.h"
 
 namespace voxprite {
@@ -44,8 +46,9 @@ struct VoxelViewBlock {
     float ghost_mixed = 0.0f;
     float ghost_outline_px = 0.0f;
     float ghost_dash_px = 1.0f;
+    glm::ivec4 sprite_rays{0};
 };
-static_assert(sizeof(VoxelViewBlock) == 464);
+static_assert(sizeof(VoxelViewBlock) == 480);
 
 // How voxels look that lie over the model. Where a ghost has the model's own surface, it gives way
 // or it covers it, however the two are rounded.
@@ -88,10 +91,13 @@ float halfLambert(glm::dvec3 normal, glm::dvec3 towardLight, double ambient) {
 struct VoxelView::Impl {
     gl::Program voxels;
     gl::Program backdrop;
+    gl::Program clusterVoxels;
+    ClusterPass clusters;
     gl::VertexArray nothing = gl::createVertexArray();
     gl::UniformBuffer octreeBlock;
     gl::UniformBuffer viewBlock;
     PaletteTexture palette;
+    OcclusionRays occlusionRays;
 
     void fillBox(VoxelViewBlock& block, const GpuOctree& octree, const PlacedEntity& placed,
                  const Camera& camera) const;
@@ -102,6 +108,8 @@ struct VoxelView::Impl {
                     const VoxelViewOptions& options);
     void setView(const GpuOctree& octree, const PlacedEntity& placed, const Camera& camera,
                  const VoxelViewOptions& options, const Ghost& ghost);
+    void drawClusters(const GpuOctree& octree, const Palette& colours, const PlacedEntity& placed,
+                      const Camera& camera, const VoxelViewOptions& options);
     void drawVoxels(const GpuOctree& octree, const Palette& colours, const RootSpace& space,
                     const VoxelViewOptions& options, const gl::DrawState& state);
 };
@@ -156,7 +164,11 @@ void VoxelView::Impl::fillLook(VoxelViewBlock& block, const RootSpace& space,
         bright ? glm::vec4(0.28f, 0.31f, 0.38f, 0.30f) : glm::vec4(0.72f, 0.76f, 0.84f, 0.30f);
     if (options.shadow && octree.texture() != 0) block.sun = glm::vec4(toward, kShadowStrength);
     block.edges_shown = options.edges ? 1 : 0;
-    block.occlusion_shown = options.occlusion ? 1 : 0;
+    block.occlusion_shown = static_cast<std::int32_t>(options.occlusion);
+    if (options.spriteLight) {
+        const FaceRays rays = faceLights({}, space.voxelAxesFromWorld, options.light).rays;
+        block.sprite_rays = glm::ivec4(rays.towardLight, rays.occlusion ? 1 : 0);
+    }
     const glm::dvec3 low = -space.voxelOfMiddle;
     const glm::dvec3 size(octree.size());
     block.grid_centre = glm::vec2(low.x + size.x / 2, low.y + size.y / 2);
@@ -166,22 +178,27 @@ void VoxelView::Impl::fillLook(VoxelViewBlock& block, const RootSpace& space,
     block.grid_shown = options.ground ? 1 : 0;
 }
 
-// One row for each face: +x, +y, +z, -x, -y, -z.
+// One row for each face: +x, +y, +z, -x, -y, -z. In a sprite's light as many again for each shade.
 void VoxelView::Impl::setPalette(const Palette& colours, const RootSpace& space,
                                  const VoxelViewOptions& options) {
-    const glm::dvec3 toward = space.voxelAxesFromWorld * options.light.towardLight;
     PaletteShader shader(colours);
-    std::vector<Rgba8> rows;
+    const Shading shading = options.spriteLight ? options.shading : Shading::multiply;
+    std::array<LitPalette, 2> sides;
     for (const int side : {1, -1}) {
-        std::array<std::uint8_t, 3> light8{255, 255, 255};
+        FaceLights lights;
         // Rays that run down an axis see the face that looks up it.
         if (options.spriteLight) {
-            light8 = faceLight(glm::ivec3(-side), toward, options.light.ambient);
+            lights = faceLights(glm::ivec3(-side), space.voxelAxesFromWorld, options.light);
         }
-        const Shading shading = options.spriteLight ? options.shading : Shading::multiply;
-        for (const std::uint8_t light : light8) {
-            const ShadedColours& face = shader.inLight(light, shading);
-            rows.insert(rows.end(), face.begin(), face.end());
+        sides[side > 0 ? 0 : 1] = litPalette(shader, lights, {}, shading);
+    }
+    std::vector<Rgba8> rows;
+    for (std::size_t state = 0; 3 * state < sides[0].faces.size(); ++state) {
+        for (const LitPalette& side : sides) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const ShadedColours& face = side.faces[3 * state + axis];
+                rows.insert(rows.end(), face.begin(), face.end());
+            }
         }
     }
     palette.set(std::move(rows));
@@ -202,6 +219,7 @@ void VoxelView::Impl::setView(const GpuOctree& octree, const PlacedEntity& place
     block.ghost_dash_px = ghost.dashPx;
     if (ghost.tint.w > 0.0f) block.sun = glm::vec4(0.0f);  // a ghost has no shadow
     viewBlock.set(BlockBinding::voxelView, block);
+    occlusionRays.bind();
     octreeBlock.set(BlockBinding::octree, octree.block());
     if (octree.texture() != 0) bindTexture(TextureUnit::svo, octree.texture());
     glBindVertexArray(nothing.id());
@@ -218,6 +236,22 @@ void VoxelView::Impl::drawVoxels(const GpuOctree& octree, const Palette& colours
     glDrawArrays(GL_TRIANGLES, 0, 36);
 }
 
+void VoxelView::Impl::drawClusters(const GpuOctree& octree, const Palette& colours,
+                                   const PlacedEntity& placed, const Camera& camera,
+                                   const VoxelViewOptions& options) {
+    if (octree.texture() == 0) return;
+    setPalette(colours, RootSpace(octree, placed, camera), options);
+    bindTexture(TextureUnit::palette, palette.texture());
+    const ClusterPass::Instance instance{options.clusters, placed, {}};
+    clusters.choose(
+        {&instance, 1}, camera,
+        {.budgetPx = options.clusterBudgetPx, .levelTint = options.tintLevels ? kLevelTint : 0.0f});
+    gl::apply(
+        {.depthTest = gl::DepthTest::nearer, .depthWrite = true, .cull = gl::Cull::backFaces});
+    gl::useProgram(clusterVoxels);
+    clusters.draw();
+}
+
 void VoxelView::draw(Frame& frame, const GpuOctree& octree, const Palette& palette,
                      const PlacedEntity& placed, const Camera& camera,
                      const VoxelViewOptions& options) {
@@ -226,6 +260,10 @@ void VoxelView::draw(Frame& frame, const GpuOctree& octree, const Palette& palet
     gl::apply({});
     gl::useProgram(impl_->backdrop);
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    if (options.clusters != nullptr) {
+        impl_->drawClusters(octree, palette, placed, camera, options);
+        return;
+    }
     impl_->drawVoxels(
         octree, palette, RootSpace(octree, placed, camera), options,
         {.depthTest = gl::DepthTest::nearer, .depthWrite = true, .cull = gl::Cull::frontFaces});
@@ -246,7 +284,8 @@ void VoxelView::drawMarked(Frame& frame, const GpuOctree& octree, const Palette&
                            float scale) {
     constexpr float kHidden = 0.35f;  // of what is in sight
     VoxelViewOptions flat;
-    flat.edges = flat.occlusion = false;
+    flat.edges = false;
+    flat.occlusion = VoxelOcclusion::off;
     Ghost ghost{.tint = toVec4(tint),
                 .mixed = 1.0f,
                 .nearer = 1.0f + 2e-5f,
@@ -274,7 +313,14 @@ Result<VoxelView> VoxelView::create() {
     if (!voxels) return tl::unexpected(voxels.error());
     Result<gl::Program> backdrop = gl::compileProgram("fullscreen.vert", "voxel_backdrop.frag");
     if (!backdrop) return tl::unexpected(backdrop.error());
+    Result<gl::Program> clusterVoxels =
+        gl::compileProgram("cluster_view.vert", "cluster_view.frag");
+    if (!clusterVoxels) return tl::unexpected(clusterVoxels.error());
+    Result<ClusterPass> clusters = ClusterPass::create();
+    if (!clusters) return tl::unexpected(clusters.error());
     impl->voxels = std::move(*voxels);
+    impl->clusterVoxels = std::move(*clusterVoxels);
+    impl->clusters = std::move(*clusters);
     impl->backdrop = std::move(*backdrop);
     return VoxelView(std::move(impl));
 }

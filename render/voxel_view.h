@@ -11,22 +11,30 @@
 #include "core/model/palette.h"
 #include "core/sprite/sprite_view.h"
 #include "render/frame.h"
+#include "render/gpu_clusters.h"
 #include "render/gpu_octree.h"
+#include "render/voxel_occlusion.h"
 
 namespace voxprite {
 
 struct VoxelViewOptions {
-    bool edges = true;      // darkened voxel edges when they are wide enough to see
-    bool occlusion = true;  // soft shade in the corners between voxels
-    bool ground = true;     // a soft grid plane under the model: cells of 1 and 8 voxels
-    bool shadow = false;    // that of the light, on voxels and on the plane under the model
+    bool edges = true;  // darkened voxel edges when they are wide enough to see
+    VoxelOcclusion occlusion = VoxelOcclusion::corners;
+    bool ground = true;   // a soft grid plane under the model: cells of 1 and 8 voxels
+    bool shadow = false;  // that of the light, on voxels and on the plane under the model
     Light light;
     // The sprite's own light instead of a softer one, in the same integers: each face is exactly
-    // the colour that a sprite gives it (edges and occlusion apart).
+    // the colour that a sprite gives it, with the light's occlusion and shadow (edges and what is
+    // chosen above apart).
     bool spriteLight = false;
     Shading shading = Shading::multiply;  // of the sprite's light
     Rgba8 backgroundTop{58, 62, 70, 255};
     Rgba8 backgroundBottom{34, 36, 41, 255};
+    // The model's mesh, which must be that of the octree: it is drawn in place of casting a ray for
+    // each pixel, and looks the same where it is as fine as the voxels. Null: rays.
+    const GpuClusters* clusters = nullptr;
+    double clusterBudgetPx = 1.0;  // screen pixels that a surface may be off
+    bool tintLevels = false;       // of clusters: colours tell the level of detail
 };
 
 class VoxelView {

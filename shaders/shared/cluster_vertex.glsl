@@ -18,7 +18,7 @@ layout(location = 5) in ivec3 eye_cell;   // tree space: what is near the eye ha
 layout(location = 6) in uvec3 face_rows;  // of palette_texture, two in each word, +x first
 
 layout(std140, binding = 9) uniform ClusterDrawBlock {
-    vec2 half_viewport_px;
+    vec2 half_frame_px;
     float widened_px;
     float level_tint;  // 0 ... 1
 };
@@ -35,7 +35,7 @@ ClusterCorner clusterCorner() {
 
 // Screen pixels that a step along a tree axis goes at a point.
 vec2 pxPerVoxel(vec4 clip, vec4 clip_step) {
-    return (clip_step.xy * clip.w - clip.xy * clip_step.w) / (clip.w * clip.w) * half_viewport_px;
+    return (clip_step.xy * clip.w - clip.xy * clip_step.w) / (clip.w * clip.w) * half_frame_px;
 }
 
 // How far the edge that runs along `edge` px moves out along `across` px: so many voxels that it

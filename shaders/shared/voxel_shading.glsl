@@ -3,7 +3,10 @@
 // Who includes this includes octree_block.glsl, octree.glsl, voxel_view.glsl and voxel_walk.glsl
 // before.
 
-// Column = material, row = face: +x, +y, +z, -x, -y, -z.
+#include "shared/face_shade.glsl"
+
+// Column = material, row = face: +x, +y, +z, -x, -y, -z; in a sprite's own light six for each kind
+// of shade.
 layout(binding = 1) uniform sampler2D palette_texture;
 
 // The two coordinates on a face.
@@ -43,8 +46,8 @@ float cornerOcclusion(float side_a, float side_b, float corner) {
 }
 
 // Corners where other voxels stand up from a face lie in their shade (Lysenko 2013).
-float occlusion(Hit hit, bool faces_up, vec2 position, inout Cursor cursor) {
-    ivec3 unit = ivec3(equal(ivec3(hit.axis), ivec3(0, 1, 2)));
+float cornerShade(Hit hit, bool faces_up, vec2 position, inout Cursor cursor) {
+    ivec3 unit = axisUnit(hit.axis);
     ivec3 front = hit.cell + (faces_up ? unit : -unit);
     ivec3 u = hit.axis == 0 ? ivec3(0, 1, 0) : ivec3(1, 0, 0);
     ivec3 v = hit.axis == 2 ? ivec3(0, 1, 0) : ivec3(0, 0, 1);
@@ -59,6 +62,48 @@ float occlusion(Hit hit, bool faces_up, vec2 position, inout Cursor cursor) {
     vec2 at = fract(position);
     vec2 rows = mix(corners.xz, corners.yw, at.x);
     return mix(rows.x, rows.y, at.y);
+}
+
+// The share of the face's short rays that are blocked.
+float blockedShare(ivec3 cell, int axis, ivec3 outward, inout Cursor cursor) {
+    int side = outward.x + outward.y + outward.z;
+    return float(blockedRays(cell + outward, axis, side, cursor)) / float(kOcclusionRays);
+}
+
+// The same for a face beside it; where none is in sight, `otherwise`.
+float blockedBeside(ivec3 cell, int axis, ivec3 outward, float otherwise, inout Cursor cursor) {
+    bool there = solidAt(cell, cursor) > 0.0 && solidAt(cell + outward, cursor) == 0.0;
+    return there ? blockedShare(cell, axis, outward, cursor) : otherwise;
+}
+
+// What the middles of this face and of those beside it see, and between them a blend: smooth over
+// walls and floors.
+float rayOcclusion(Hit hit, bool faces_up, vec2 position, inout Cursor cursor) {
+    ivec3 outward = axisUnit(hit.axis) * (faces_up ? 1 : -1);
+    vec2 from_middle = fract(position) - 0.5;
+    ivec3 u = (hit.axis == 0 ? ivec3(0, 1, 0) : ivec3(1, 0, 0)) * (from_middle.x < 0.0 ? -1 : 1);
+    ivec3 v = (hit.axis == 2 ? ivec3(0, 1, 0) : ivec3(0, 0, 1)) * (from_middle.y < 0.0 ? -1 : 1);
+    float own = blockedShare(hit.cell, hit.axis, outward, cursor);
+    float beside = blockedBeside(hit.cell + u, hit.axis, outward, own, cursor);
+    float above = blockedBeside(hit.cell + v, hit.axis, outward, own, cursor);
+    float across = blockedBeside(hit.cell + u + v, hit.axis, outward, 0.5 * (beside + above), cursor);
+    vec2 share = abs(from_middle);
+    return mix(mix(own, beside, share.x), mix(above, across, share.x), share.y);
+}
+
+// Which of a sprite's colours the face has: as shadedRow of sprites.
+int spriteState(Hit hit, bool faces_up, inout Cursor cursor) {
+    int side = faces_up ? 1 : -1;
+    ivec3 front = hit.cell + axisUnit(hit.axis) * side;
+    int state = 0;
+    if (sprite_rays.w != 0) {
+        state = occlusionLevel(blockedRays(front, hit.axis, side, cursor));
+    }
+    if (sprite_rays.xyz != ivec3(0) &&
+        faceInShadow(front, hit.axis, side, sprite_rays.xyz, cursor)) {
+        state += kOcclusionLevels;
+    }
+    return state;
 }
 
 // The point of the face that the pixel shows, and how far the pixel reaches on it.
@@ -82,11 +127,12 @@ FacePoint facePoint(Hit hit, vec2 screen, vec3 origin, vec3 direction) {
 }
 
 vec3 voxelColour(Hit hit, FacePoint point, inout Cursor cursor) {
-    int row = point.faces_up ? hit.axis : hit.axis + 3;
+    int row = (point.faces_up ? hit.axis : hit.axis + 3) +
+              6 * spriteState(hit, point.faces_up, cursor);
     vec3 base = texelFetch(palette_texture, ivec2(int(hit.material), row), 0).rgb;
     float light = point.faces_up ? face_light[hit.axis].x : face_light[hit.axis].y;
     float large = max(point.footprint.x, point.footprint.y);
-    ivec3 unit = ivec3(equal(ivec3(hit.axis), ivec3(0, 1, 2)));
+    ivec3 unit = axisUnit(hit.axis);
     // What looks away from the sun is in its own shade already.
     bool sunlit = along(sun.xyz, hit.axis) * (point.faces_up ? 1.0 : -1.0) > 0.0;
     if (sun.w > 0.0 && sunlit &&
@@ -94,8 +140,11 @@ vec3 voxelColour(Hit hit, FacePoint point, inout Cursor cursor) {
         light *= 1.0 - sun.w;
     }
     if (occlusion_shown != 0 && large < 1.0) {
-        light *= 1.0 - 0.4 * occlusion(hit, point.faces_up, point.position, cursor) *
-                           (1.0 - smoothstep(0.5, 1.0, large));
+        float lost =
+            occlusion_shown == 1
+                ? 0.4 * cornerShade(hit, point.faces_up, point.position, cursor)
+                : 0.85 * rayOcclusion(hit, point.faces_up, point.position, cursor);
+        light *= 1.0 - lost * (1.0 - smoothstep(0.5, 1.0, large));
     }
     if (edges_shown != 0) light *= 1.0 - 0.16 * edgeShade(point.position, point.footprint);
     return base * light;

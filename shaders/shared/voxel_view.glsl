@@ -19,13 +19,14 @@ layout(std140, binding = 6) uniform VoxelViewBlock {
     float grid_height;          // z of the model's bottom
     float grid_radius;          // voxels at which the grid has faded
     int grid_shown;
-    int occlusion_shown;
+    int occlusion_shown;        // 1: in corners, 2: by short rays
     vec4 ghost_tint;            // alpha: that of a ghost's pixels; 0 for the model itself
     vec4 sun;                   // where it is; w: how much its light is missed in shadow, 0: none
     float ghost_nearer;         // what a ghost's depth is multiplied by
     float ghost_mixed;          // how much of its colour is the tint's
     float ghost_outline_px;     // width of the dashed line around it; 0: none
     float ghost_dash_px;
+    ivec4 sprite_rays;          // a sprite's own light: xyz toward it where there are shadows, w: occlusion
 };
 
 vec3 voxelRayOrigin(vec2 screen) {
