@@ -13,7 +13,8 @@
 namespace voxprite::cli {
 namespace {
 
-constexpr std::array<const char*, 6> kParts{"cast", "bake", "update", "frame", "latency", "files"};
+constexpr std::array<const char*, 7> kParts{"cast",     "bake",    "update", "frame",
+                                            "clusters", "latency", "files"};
 
 struct Options {
     std::vector<std::string> only;
@@ -67,13 +68,13 @@ Result<Report> runBench(const Options& options) {
     Result<gl::HeadlessContext> context = gl::HeadlessContext::create();
     if (context) {
         report.json["machine"]["gl"] = gl::driverInfo().renderer + ", " + gl::driverInfo().version;
-    } else if (wanted("frame") || wanted("latency")) {
+    } else if (wanted("frame") || wanted("clusters") || wanted("latency")) {
         return Failure(context.error());
     }
     using Part = Result<Json> (*)(const std::vector<bench::BenchModel>&, const bench::Effort&);
-    constexpr std::array<Part, kParts.size()> run{bench::benchCast,    bench::benchBake,
-                                                  bench::benchUpdate,  bench::benchFrame,
-                                                  bench::benchLatency, bench::benchFiles};
+    constexpr std::array<Part, kParts.size()> run{
+        bench::benchCast,     bench::benchBake,    bench::benchUpdate, bench::benchFrame,
+        bench::benchClusters, bench::benchLatency, bench::benchFiles};
     for (std::size_t k = 0; k < kParts.size(); ++k) {
         if (!wanted(kParts[k])) continue;
         Result<Json> figures = run[k](*models, effort);
@@ -91,7 +92,7 @@ void addBench(CLI::App& app, Command& command) {
     CLI::App& sub = *app.add_subcommand("bench", "Measure this machine");
     auto options = std::make_shared<Options>();
     sub.add_option("--only", options->only,
-                   "Only these parts: cast, bake, update, frame, latency, files")
+                   "Only these parts: cast, bake, update, frame, clusters, latency, files")
         ->delimiter(',')
         ->check(CLI::IsMember(std::vector<std::string>(kParts.begin(), kParts.end())))
         ->type_name("PART,...");

@@ -59,6 +59,8 @@ void progress(const Effort& effort, const std::string& what);
 [[nodiscard]] Result<Json> benchFiles(const std::vector<BenchModel>& models, const Effort& effort);
 // These need a current GL context.
 [[nodiscard]] Result<Json> benchFrame(const std::vector<BenchModel>& models, const Effort& effort);
+[[nodiscard]] Result<Json> benchClusters(const std::vector<BenchModel>& models,
+                                         const Effort& effort);
 // In the editor, from input to picture; on models of its own.
 [[nodiscard]] Result<Json> benchLatency(const std::vector<BenchModel>& models,
                                         const Effort& effort);
