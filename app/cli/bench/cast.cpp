@@ -8,6 +8,7 @@
 #include "app/cli/bench/rivals.h"
 #include "core/base/parallel.h"
 #include "core/sprite/sprite_view.h"
+#include "core/trace/lattice_caster.h"
 #include "core/trace/raycast.h"
 
 namespace voxprite::bench {
