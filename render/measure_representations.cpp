@@ -23,19 +23,6 @@ constexpr int kTimedFrames = 3;
 constexpr double kLeastTurnDegrees = 3.0;  // of the camera, from frame to frame
 constexpr double kCrowdPitchDegrees = 20.0;
 
-int edgeOf(double sizePx) {
-    return 2 * static_cast<int>(std::ceil(1.25 * sizePx)) + 16;
-}
-
-// A part of the game's picture, `edgePx` square, from its middle.
-Camera partOfGame(int edgePx, double radiusMetres, double sizePx, const OrbitAngles& view) {
-    const double tangent = std::tan(glm::radians(kFovDegrees) / 2.0) * edgePx / kReferenceHeightPx;
-    const double fov = glm::degrees(2.0 * std::atan(tangent));
-    const double metresPerPxAtOne = 2.0 * tangent / edgePx;
-    return orbitCamera(view, glm::dvec3(0.0), radiusMetres / (sizePx * metresPerPxAtOne), fov,
-                       {edgePx, edgePx});
-}
-
 SceneEntity entityOf(const MeasuredModel& model, RepresentationChoice choice, glm::dvec3 centre,
                      double turnDegrees) {
     SceneEntity exact{model.octree, model.palette, model.placed};
@@ -60,7 +47,7 @@ double microsecondsOf(SceneRenderer& renderer, Frame& frame, const Scene& scene,
 // far away, in rows across the picture, and each stands its own way.
 Result<double> costAtSize(SceneRenderer& renderer, const MeasuredModel& model,
                           const GameProfile& profile, RepresentationChoice choice, double sizePx) {
-    const int edge = edgeOf(sizePx);
+    const int edge = edgeAtSize(sizePx);
     const int inRow = std::clamp(kCrowdEdgePx / edge, 1, kMostInRow);
     const double radius = model.placed.radiusMetres();
     const double spacing = edge * radius / sizePx;
@@ -70,8 +57,8 @@ Result<double> costAtSize(SceneRenderer& renderer, const MeasuredModel& model,
     double least = std::numeric_limits<double>::infinity(), empty = least;
     // The first frame makes what is kept.
     for (int each = 0; each <= kTimedFrames; ++each) {
-        const Camera camera =
-            partOfGame(edge * inRow, radius, sizePx, {turnDegrees * each, kCrowdPitchDegrees, 0.0});
+        const Camera camera = cameraAtSize(
+            radius, sizePx, {turnDegrees * each, kCrowdPitchDegrees, 0.0}, frame.sizePx());
         Scene scene;
         scene.clusterBudgetPx = model.clusterBudgetPx;
         const double none = microsecondsOf(renderer, frame, scene, camera, profile, status);
@@ -102,14 +89,23 @@ std::vector<OrbitAngles> viewsOf(const MeasuringPlan& plan) {
     return views;
 }
 
-Camera cameraAtSize(double radiusMetres, double sizePx, const OrbitAngles& view) {
-    return partOfGame(edgeOf(sizePx), radiusMetres, sizePx, view);
+int edgeAtSize(double sizePx) {
+    return 2 * static_cast<int>(std::ceil(1.25 * sizePx)) + 16;
+}
+
+Camera cameraAtSize(double radiusMetres, double sizePx, const OrbitAngles& view,
+                    glm::ivec2 viewportPx) {
+    const double tangentPerPx = std::tan(glm::radians(kFovDegrees) / 2.0) / kReferenceHeightPx;
+    const double fov = glm::degrees(2.0 * std::atan(tangentPerPx * viewportPx.y));
+    return orbitCamera(view, glm::dvec3(0.0), radiusMetres / (sizePx * 2.0 * tangentPerPx), fov,
+                       viewportPx);
 }
 
 Result<Image> pictureAtSize(SceneRenderer& renderer, const MeasuredModel& model,
                             const GameProfile& profile, RepresentationChoice choice, double sizePx,
                             const OrbitAngles& view) {
-    const Camera camera = cameraAtSize(model.placed.radiusMetres(), sizePx, view);
+    const Camera camera =
+        cameraAtSize(model.placed.radiusMetres(), sizePx, view, glm::ivec2(edgeAtSize(sizePx)));
     Scene scene;
     scene.clusterBudgetPx = model.clusterBudgetPx;
     scene.entities = {entityOf(model, choice, glm::dvec3(0.0), 0.0)};

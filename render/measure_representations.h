@@ -40,10 +40,13 @@ struct MeasuringPlan {
     bool costs = true;
 };
 
-// The camera that shows a model of this radius, at the origin, as large as that; the model and its
-// outline fit in.
-[[nodiscard]] Camera cameraAtSize(double radiusMetres, double sizePx, const OrbitAngles& view);
-// The model alone over nothing.
+// A square picture of this edge holds the model and its outline.
+[[nodiscard]] int edgeAtSize(double sizePx);
+// The camera that shows a model of this radius, at the origin, as large as that: a part of the
+// game's picture, from its middle.
+[[nodiscard]] Camera cameraAtSize(double radiusMetres, double sizePx, const OrbitAngles& view,
+                                  glm::ivec2 viewportPx);
+// The model alone over nothing, `edgeAtSize` wide and high.
 [[nodiscard]] Result<Image> pictureAtSize(SceneRenderer& renderer, const MeasuredModel& model,
                                           const GameProfile& profile, RepresentationChoice choice,
                                           double sizePx, const OrbitAngles& view);

@@ -7,12 +7,9 @@
 
 namespace voxprite {
 
-GpuModelLevels::GpuModelLevels(const ModelLevels& levels) : origin(levels.origin) {
-    for (const Octree& octree : levels.coarse) {
-        Coarse& level = coarse.emplace_back();
-        level.size = octree.size;
-        level.octree.upload(octree.view());
-    }
+GpuModelLevels::GpuModelLevels(const ModelLevels& levels)
+    : origin(levels.origin), size(levels.size) {
+    for (const Octree& octree : levels.coarse) coarse.emplace_back().upload(octree.view());
     clusters.upload(levels.clusters);
 }
 
@@ -52,12 +49,12 @@ SceneEntity drawnBy(const SceneEntity& exact, RepresentationChoice choice,
         entity.representation = choice.kind;
         entity.views = &views;
     }
-    if (levels == nullptr || !levels->offers(choice)) return entity;
+    const bool own = levels != nullptr && levels->size == exact.octree->size();
+    if (!own || !levels->offers(choice)) return entity;
     entity.representation = choice.kind;
     if (choice.kind == Representation::clusters) entity.clusters = &levels->clusters;
     if (choice.kind == Representation::coarse) {
-        const auto& coarse = levels->coarse[static_cast<std::size_t>(choice.levels - 1)];
-        entity.octree = &coarse.octree;
+        entity.octree = &levels->coarse[static_cast<std::size_t>(choice.levels - 1)];
         entity.placed = coarseEntity(exact.placed, levels->origin, choice.levels);
     }
     return entity;

@@ -15,12 +15,9 @@ namespace voxprite {
 
 // A model's levels on the GPU. Owned by whoever owns the model, and good for one revision of it.
 struct GpuModelLevels {
-    struct Coarse {
-        glm::ivec3 size{0};
-        GpuOctree octree;
-    };
     glm::ivec3 origin{0};
-    std::vector<Coarse> coarse;  // [k] leaves k + 1 levels out
+    glm::ivec3 size{0};
+    std::vector<GpuOctree> coarse;  // [k] leaves k + 1 levels out
     GpuClusters clusters;
 
     GpuModelLevels() = default;
@@ -35,8 +32,9 @@ struct GpuModelLevels {
 // NaN when that is not ahead of the camera.
 [[nodiscard]] double representationSizePx(const PlacedEntity& placed, const Camera& camera);
 
-// `exact` drawn by `choice`, or as it is when the model does not offer that; without levels it has
-// snapshots alone. The levels and the views are read as long as the entity is drawn.
+// `exact` drawn by `choice`, or as it is when the model does not offer that; without levels, or
+// with those of a model of another size, it has snapshots alone. The levels and the views are read
+// as long as the entity is drawn.
 [[nodiscard]] SceneEntity drawnBy(const SceneEntity& exact, RepresentationChoice choice,
                                   const GpuModelLevels* levels, const ViewSet& views);
 

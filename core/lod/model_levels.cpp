@@ -22,6 +22,7 @@ int coarseLevelsOf(glm::ivec3 size) {
 Result<ModelLevels> buildModelLevels(const Octree& model, int threads) {
     ModelLevels built;
     built.origin = model.origin;
+    built.size = model.size;
     for (int levels = 1; levels <= coarseLevelsOf(model.size); ++levels) {
         Result<Octree> coarse = coarsen(model, levels);
         if (!coarse) return Failure(coarse.error());

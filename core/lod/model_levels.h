@@ -14,7 +14,8 @@ namespace voxprite {
 inline constexpr int kMostCoarseLevels = 3;
 
 struct ModelLevels {
-    glm::ivec3 origin{0};  // of the model itself
+    glm::ivec3 origin{0};  // of the model itself, and its size
+    glm::ivec3 size{0};
     // [k] leaves k + 1 levels out. As many as leave the longest edge four cells, and no more than
     // kMostCoarseLevels; none for an empty model.
     std::vector<Octree> coarse;

@@ -59,7 +59,7 @@ using RepresentationTable = std::vector<RepresentationFigures>;
                                                      RepresentationChoice choice);
 
 struct ChoiceRules {
-    double errorBudget = 0.05;  // 0 ... 1; what is no number allows nothing but the sprite
+    double errorBudget = 0.2;  // 0 ... 1; what is no number allows nothing but the sprite
     // Hysteresis: something else is taken up only if it stays within the budget for sizes up to
     // this share smaller and larger, and is cheaper by this share.
     double band = 0.15;
