@@ -18,7 +18,8 @@ std::vector<Command> allCommands() {
     for (const auto table :
          {fileCommands(), editCommands(), clipboardCommands(), selectionCommands(),
           objectCommands(), animationCommands(), toolCommands(), toolOptionCommands(),
-          paletteCommands(), viewCommands(), sceneCommands(), helpCommands()}) {
+          paletteCommands(), viewCommands(), sceneCommands(), representationCommands(),
+          helpCommands()}) {
         all.insert(all.end(), table.begin(), table.end());
     }
     return all;

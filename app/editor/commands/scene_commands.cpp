@@ -19,6 +19,7 @@ constexpr Command compareCommand(Command command) {
     command.run = [](CommandContext& c) {
         SigmaComparison& comparison = c.settings.scene.comparison;
         comparison.open(comparison.cells == cells ? 0 : cells, c.session.profile().sigma);
+        c.settings.scene.representations.compared = false;
     };
     command.on = [](const CommandContext& c) { return c.settings.scene.comparison.cells == cells; };
     return command;
@@ -38,20 +39,19 @@ bool isSinglePass(const CommandContext& c) {
 }
 
 void addModel(CommandContext& c) {
-    c.files.browse({.title = "Add a model to the scene",
-                    .button = "Add",
-                    .extensions = modelEndings()},
-                   [](CommandContext& context, const std::filesystem::path& file) {
-                       SceneSettings& scene = context.settings.scene;
-                       std::erase(scene.extras, ExtraModelChoice{file, false});
-                       if (std::ranges::find(scene.extras, file, &ExtraModelChoice::file) ==
-                           scene.extras.end()) {
-                           scene.extras.push_back({file, true});
-                       }
-                       if (scene.copies.pattern == CopyPattern::none) {
-                           scene.copies.pattern = CopyPattern::crowd;
-                       }
-                   });
+    c.files.browse(
+        {.title = "Add a model to the scene", .button = "Add", .extensions = modelEndings()},
+        [](CommandContext& context, const std::filesystem::path& file) {
+            SceneSettings& scene = context.settings.scene;
+            std::erase(scene.extras, ExtraModelChoice{file, false});
+            if (std::ranges::find(scene.extras, file, &ExtraModelChoice::file) ==
+                scene.extras.end()) {
+                scene.extras.push_back({file, true});
+            }
+            if (scene.copies.pattern == CopyPattern::none) {
+                scene.copies.pattern = CopyPattern::crowd;
+            }
+        });
 }
 
 }  // namespace

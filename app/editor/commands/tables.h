@@ -18,6 +18,7 @@ namespace voxprite::editor {
 [[nodiscard]] std::span<const Command> paletteCommands();
 [[nodiscard]] std::span<const Command> viewCommands();
 [[nodiscard]] std::span<const Command> sceneCommands();
+[[nodiscard]] std::span<const Command> representationCommands();
 [[nodiscard]] std::span<const Command> helpCommands();
 
 }  // namespace voxprite::editor

@@ -255,6 +255,7 @@ void drawScene(Ui& ui) {
     drawCamera(ui);
     drawCopies(ui);
     drawModels(ui);
+    drawRepresentations(ui);
     drawCost(ui);
     ImGui::EndChild();
 }

@@ -30,6 +30,7 @@ Result<ExtraModel> load(const std::filesystem::path& file) {
         Result<Octree> octree = bake(flatten(document, frame), model.bounds);
         if (!octree) return inFile(Result<ExtraModel>(Failure(octree.error())), file.string());
         model.frames.emplace_back().upload(octree->view());
+        model.octrees.push_back(std::move(*octree));
     }
     return model;
 }

@@ -24,6 +24,7 @@ struct ExtraModel {
     IBox bounds;
     double framesPerSecond = 8.0;
     std::deque<GpuOctree> frames;  // at least one
+    std::vector<Octree> octrees;   // of which they are
     // Which frame shows after the animation went on for so long.
     [[nodiscard]] const GpuOctree& at(double seconds) const;
 };

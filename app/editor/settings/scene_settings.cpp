@@ -3,9 +3,44 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/sprite/view_set.h"
+
 namespace voxprite::editor {
 
 using Json = nlohmann::json;
+
+namespace {
+
+Json toJson(const RepresentationSettings& settings) {
+    return {{"rule", static_cast<int>(settings.rule)},
+            {"error_budget", settings.errorBudget},
+            {"coarser_levels", settings.coarserLevels},
+            {"views", settings.views},
+            {"cluster_budget_px", settings.clusterBudgetPx},
+            {"tint", settings.tint},
+            {"compared", settings.compared},
+            {"compared_size_px", settings.comparedSizePx}};
+}
+
+RepresentationSettings representationSettingsFrom(const Json& json) {
+    RepresentationSettings settings;
+    settings.rule = static_cast<DrawRule>(std::clamp(json.value("rule", 0), 0, 4));
+    settings.errorBudget = std::clamp(json.value("error_budget", settings.errorBudget),
+                                      kLeastErrorBudget, kMostErrorBudget);
+    settings.coarserLevels =
+        std::clamp(json.value("coarser_levels", settings.coarserLevels), 1, kMostCoarserLevels);
+    const std::string views = json.value("views", settings.views);
+    if (ViewSet::named(views)) settings.views = views;
+    settings.clusterBudgetPx = std::clamp(json.value("cluster_budget_px", settings.clusterBudgetPx),
+                                          0.0, kMostClusterBudgetPx);
+    settings.tint = json.value("tint", settings.tint);
+    settings.compared = json.value("compared", settings.compared);
+    settings.comparedSizePx = std::clamp(json.value("compared_size_px", settings.comparedSizePx),
+                                         kLeastComparedPx, kMostComparedPx);
+    return settings;
+}
+
+}  // namespace
 
 Json toJson(const SceneSettings& settings) {
     const CopySettings& copies = settings.copies;
@@ -24,7 +59,8 @@ Json toJson(const SceneSettings& settings) {
             {"every_frame", settings.everyFrame},
             {"picture_scale", settings.pictureScale},
             {"compared", settings.comparison.cells},
-            {"sigmas", settings.comparison.sigmas}};
+            {"sigmas", settings.comparison.sigmas},
+            {"representations", toJson(settings.representations)}};
 }
 
 SceneSettings sceneSettingsFrom(const Json& json) {
@@ -48,6 +84,9 @@ SceneSettings sceneSettingsFrom(const Json& json) {
     comparison.cells = cells == 2 || cells == 4 ? cells : 0;
     comparison.sigmas = json.value("sigmas", comparison.sigmas);
     for (double& sigma : comparison.sigmas) sigma = std::clamp(sigma, 1.0 / 64.0, 64.0);
+    settings.representations =
+        representationSettingsFrom(json.value("representations", Json::object()));
+    if (comparison.on()) settings.representations.compared = false;
     return settings;
 }
 

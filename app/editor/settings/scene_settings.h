@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
+#include "app/editor/settings/representation_settings.h"
 #include "app/editor/views/sigma_comparison.h"
 
 namespace voxprite::editor {
@@ -49,6 +50,7 @@ struct SceneSettings {
     // Of saved and copied sprites: picture pixels a virtual pixel, 1 ... kMostPictureScale.
     int pictureScale = 1;
     SigmaComparison comparison;
+    RepresentationSettings representations;
     bool operator==(const SceneSettings&) const = default;
 };
 

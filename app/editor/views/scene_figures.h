@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "render/scene_renderer.h"
 
@@ -29,12 +30,21 @@ class FrameTimes {
     std::size_t count_ = 0;
 };
 
+// What one representation has of a picture.
+struct RepresentationShare {
+    int entities = 0;           // in view
+    double microseconds = 0.0;  // what they cost, by what was measured; 0 where nothing was
+};
+using RepresentationShares = std::array<RepresentationShare, kRepresentations>;
+
 struct SceneFigures {
     std::size_t entities = 1;
     SceneStats stats;             // of all cells together
     double cpuMs = 0.0;           // until all commands were given
     std::optional<double> gpuMs;  // of the newest picture that the GPU is done with
     FrameTimes cpuTimes;
+    RepresentationShares shares{};
+    std::string progress;  // of what is built and measured behind the view
 };
 
 }  // namespace voxprite::editor

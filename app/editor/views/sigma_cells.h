@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/views/scene_figures.h"
 #include "app/editor/views/view_canvas.h"
 #include "core/sprite/sprite_view.h"
 #include "render/scene_renderer.h"
@@ -17,6 +18,8 @@ namespace voxprite::editor {
 struct SpriteCell {
     std::unique_ptr<Frame> frame;        // null: the picture is that of the canvas
     std::vector<ViewHistory> histories;  // one an entity
+    std::vector<std::optional<RepresentationChoice>> chosen;  // likewise
+    RepresentationShares shares{};
     SceneStats stats;
     std::string problem;  // why there is no picture
 };

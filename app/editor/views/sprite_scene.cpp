@@ -127,4 +127,25 @@ Scene SpriteScene::make(const Session& session, const GpuOctree& edited, const V
     return scene;
 }
 
+std::vector<LevelSource> SpriteScene::levelSources(const Session& session,
+                                                   const GpuOctree& edited) const {
+    // Revisions of documents and of octrees are counted apart: even and odd numbers.
+    std::vector<LevelSource> sources{{2 * session.modelRevision(), session.frame(), &edited,
+                                      &session.shownPalette(), session.madeInGame(), [&session] {
+                                          return session.octree().canonical(session.bounds());
+                                      }}};
+    for (const ExtraModel* extra : subjects_) {
+        if (extra == nullptr || formation_.copies.empty()) continue;
+        const GpuOctree& shown = extra->at(seconds_);
+        const auto frame = static_cast<std::size_t>(
+            std::ranges::find(extra->frames, &shown, [](const GpuOctree& each) { return &each; }) -
+            extra->frames.begin());
+        sources.push_back(
+            {2 * extra->frames.front().revision() + 1, static_cast<int>(frame), &shown,
+             &extra->palette, placedOnGround(extra->entity, extra->bounds, session.profile()),
+             [octree = &extra->octrees[frame]]() -> Result<Octree> { return *octree; }});
+    }
+    return sources;
+}
+
 }  // namespace voxprite::editor

@@ -8,6 +8,7 @@
 #include "app/editor/session/extra_models.h"
 #include "app/editor/session/session.h"
 #include "app/editor/settings/settings.h"
+#include "app/editor/views/level_library.h"
 #include "app/editor/views/scene_copies.h"
 #include "render/scene_renderer.h"
 
@@ -34,6 +35,11 @@ class SpriteScene {
     [[nodiscard]] Scene make(const Session& session, const GpuOctree& edited,
                              const ViewSettings& view, const GameProfile& profile,
                              std::span<ViewHistory> histories);
+
+    // The models of that scene, for what they can be drawn by. `session` and `edited` are read as
+    // long as the sources are used.
+    [[nodiscard]] std::vector<LevelSource> levelSources(const Session& session,
+                                                        const GpuOctree& edited) const;
 
   private:
     [[nodiscard]] bool walks(const SceneSettings& settings) const {

@@ -90,14 +90,19 @@ void SpriteViewport::show(Ui& ui, ImVec2 min, ImVec2 size) {
     turn_.advance(camera_, static_cast<double>(ImGui::GetIO().DeltaTime));
     SceneSettings& settings = ui.settings.scene;
     settings.comparison.follow(ui.session.profile().sigma);
-    areas_ =
-        cellAreas(canvas_.sizePx(), settings.comparison.cells, static_cast<int>(ui.theme.px(2)));
+    gapPx_ = static_cast<int>(ui.theme.px(2));
+    areas_ = cellAreas(canvas_.sizePx(), settings.comparison.cells, gapPx_);
+    comparedPx_ = glm::max(canvas_.sizePx() - glm::ivec2(0, RepresentationCells::barPx(ui.theme)),
+                           glm::ivec2(1));
+    compared_.advance(settings.representations, static_cast<double>(ImGui::GetIO().DeltaTime));
     if (ui.settings.view.playing) {
         scene_.advance(static_cast<double>(ImGui::GetIO().DeltaTime), ui.session, settings);
     }
     ui.figures.scene = figures_;
     // Cells that have just been asked for have no pictures yet.
-    if (areas_.size() > 1 && cells_.size() == areas_.size()) {
+    if (settings.representations.compared) {
+        showRepresentations(ui, input);
+    } else if (areas_.size() > 1 && cells_.size() == areas_.size()) {
         showCells(ui, input);
     } else {
         showAlone(ui, input);
@@ -121,6 +126,25 @@ void SpriteViewport::showCells(Ui& ui, ViewInput& input) {
     }
     ViewCanvas::navigate(input, camera_);
     showSigmaCells(ui, canvas_, areas_, cells_);
+}
+
+void SpriteViewport::showRepresentations(Ui& ui, ViewInput& input) {
+    const bool onCells = input.pointerPx.y < comparedPx_.y;
+    if (input.held && onCells) {
+        const ImVec2 moved = ImGui::GetIO().MouseDelta;
+        camera_.orbit({static_cast<double>(moved.x), static_cast<double>(moved.y)});
+    }
+    // Near and far are the row's: the wheel goes there, too.
+    RepresentationSettings& settings = ui.settings.scene.representations;
+    if (input.wheel != 0.0) {
+        settings.flying = false;
+        settings.comparedSizePx = std::clamp(settings.comparedSizePx * std::exp2(input.wheel / 6.0),
+                                             kLeastComparedPx, kMostComparedPx);
+    }
+    if (input.drag == CameraMove::orbit) {
+        camera_.orbit(input.movedPx);
+    }
+    compared_.show(ui, canvas_, *library_);
 }
 
 void SpriteViewport::showAlone(Ui& ui, ViewInput& input) {
@@ -201,6 +225,9 @@ Result<Image> SpriteViewport::picture(const Session& session, const SceneSetting
 }
 
 bool SpriteViewport::animates(const EditorSettings& settings) const {
+    const RepresentationSettings& representations = settings.scene.representations;
+    if (library_->busy()) return true;
+    if (representations.compared && (representations.flying || compared_.pending())) return true;
     return postponed_ || settings.scene.everyFrame ||
            (settings.view.playing && scene_.moves(settings.scene));
 }
@@ -212,14 +239,17 @@ void SpriteViewport::prepareCells() {
         if (cell.histories.size() == scene_.entityCount()) continue;
         cell.histories.resize(std::min<std::size_t>(cell.histories.size(), 1));
         cell.histories.resize(scene_.entityCount());
+        cell.chosen.assign(scene_.entityCount(), std::nullopt);
     }
 }
 
 Status SpriteViewport::renderCell(SpriteCell& cell, Frame& frame, const Session& session,
                                   const GpuOctree& octree, const EditorSettings& settings,
                                   const GameProfile& profile) {
-    const Scene scene = scene_.make(session, octree, settings.view, profile, cell.histories);
+    Scene scene = scene_.make(session, octree, settings.view, profile, cell.histories);
     const Camera camera = camera_.camera(frame.sizePx());
+    cell.shares = representations_.choose(scene, camera, settings.scene.representations, *library_,
+                                          cell.chosen);
     const Result<SceneStats> stats = renderer_.draw(frame, scene, camera, profile, profile.mode);
     if (!stats) return Failure(stats.error());
     cell.stats = *stats;
@@ -234,12 +264,50 @@ Status SpriteViewport::renderCell(SpriteCell& cell, Frame& frame, const Session&
     return {};
 }
 
+void SpriteViewport::followLevels(const Session& session, const GpuOctree& octree,
+                                  const SceneSettings& settings) {
+    const RepresentationSettings& representations = settings.representations;
+    if (representations.rule == DrawRule::exact && !representations.compared) {
+        return library_->clear();
+    }
+    const bool measured = representations.compared || representations.rule == DrawRule::automatic;
+    const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
+    library_->follow(scene_.levelSources(session, octree), representations, session.profile(),
+                     measured, now.count());
+    // An edit that is only being shown is not what is measured.
+    if (!session.previews()) library_->work(renderer_);
+}
+
+Result<bool> SpriteViewport::renderCompared(const Session& session, const GpuOctree& octree,
+                                            const RepresentationSettings& settings) {
+    if (session.bounds().empty()) return false;
+    const OrbitAngles angles{camera_.yawDegrees, camera_.pitchDegrees, 0.0};
+    const RepresentationCells::Subject subject{
+        &octree, &session.shownPalette(), session.placedInGame(), session.profile(),
+        angles,  session.revision()};
+    return compared_.render(renderer_, subject, *library_, settings, comparedPx_, gapPx_);
+}
+
 Result<bool> SpriteViewport::render(const Session& session, const GpuOctree& octree,
                                     const EditorSettings& settings) {
     std::ranges::move(scene_.follow(session, settings.scene), std::back_inserter(problems_));
+    followLevels(session, octree, settings.scene);
+    figures_.progress = library_->progress();
+    if (settings.scene.representations.compared) {
+        shown_.reset();
+        return renderCompared(session, octree, settings.scene.representations);
+    }
     const SigmaComparison& comparison = settings.scene.comparison;
-    const Shown wanted{octree.revision(), session.revision(), scene_.revision(), camera_,
-                       canvas_.sizePx(),  areas_.size(),      settings.view,     comparison};
+    const Shown wanted{octree.revision(),
+                       session.revision(),
+                       scene_.revision(),
+                       camera_,
+                       canvas_.sizePx(),
+                       areas_.size(),
+                       settings.view,
+                       comparison,
+                       settings.scene.representations,
+                       library_->revision()};
     postponed_ = false;
     if (shown_ == wanted && !settings.scene.everyFrame) return false;
     const auto start = std::chrono::steady_clock::now();
@@ -271,6 +339,7 @@ Result<bool> SpriteViewport::render(const Session& session, const GpuOctree& oct
     drawnAt_ = std::chrono::steady_clock::now();
     timer_.end();
     shown_ = wanted;
+    figures_.shares = cells_[cellInForce(settings.scene)].shares;
     if (!done) return Failure(done.error());
     const SceneStats& inForce = cells_[cellInForce(settings.scene)].stats;
     sum.sigmaInForce = inForce.sigmaInForce;

@@ -1,13 +1,18 @@
 // The sprite view: the entity as the game shows it, in a small game scene, with the handles of its
-// proxy box; alone or among copies, at one sigma or at several side by side.
+// proxy box; alone or among copies, at one sigma or at several side by side, or by all that it can
+// be drawn by.
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "app/editor/views/gizmo.h"
+#include "app/editor/views/level_library.h"
+#include "app/editor/views/representation_cells.h"
+#include "app/editor/views/scene_representations.h"
 #include "app/editor/views/sigma_cells.h"
 #include "app/editor/views/sprite_scene.h"
 #include "app/editor/views/view_canvas.h"
@@ -39,7 +44,10 @@ class SpriteViewport {
     // As far away as lets a virtual pixel cover so many pixels of the screen.
     void toGameDistance(const Session& session, double screenPxPerPx);
     // Another document: nothing of the last one's views is remembered.
-    void forget() { cells_.clear(); }
+    void forget() {
+        cells_.clear();
+        library_->clear();
+    }
 
     // The sprite as it shows, see spritePicture().
     [[nodiscard]] Result<Image> picture(const Session& session,
@@ -48,6 +56,7 @@ class SpriteViewport {
 
     [[nodiscard]] const SceneStats& stats() const { return figures_.stats; }
     [[nodiscard]] const SceneFigures& figures() const { return figures_; }
+    [[nodiscard]] const RepresentationCells& compared() const { return compared_; }
     // What went wrong since the last call, to be told.
     [[nodiscard]] std::vector<Error> takeProblems() { return std::exchange(problems_, {}); }
 
@@ -56,9 +65,14 @@ class SpriteViewport {
         : renderer_(std::move(scene)), overlay_(std::move(overlay)) {}
     void showAlone(Ui& ui, ViewInput& input);
     void showCells(Ui& ui, ViewInput& input);
+    void showRepresentations(Ui& ui, ViewInput& input);
     void useGizmo(Ui& ui, const ViewInput& input, const Camera& camera);
     void drawAnchor(Ui& ui, const Camera& camera, const PlacedEntity& placed);
     void prepareCells();
+    void followLevels(const Session& session, const GpuOctree& octree,
+                      const SceneSettings& settings);
+    [[nodiscard]] Result<bool> renderCompared(const Session& session, const GpuOctree& octree,
+                                              const RepresentationSettings& settings);
     [[nodiscard]] Status renderCell(SpriteCell& cell, Frame& frame, const Session& session,
                                     const GpuOctree& octree, const EditorSettings& settings,
                                     const GameProfile& profile);
@@ -76,6 +90,8 @@ class SpriteViewport {
         std::size_t cells = 1;
         ViewSettings view;
         SigmaComparison comparison;
+        RepresentationSettings representations;
+        std::uint64_t library = 0;
         bool operator==(const Shown&) const = default;
     };
 
@@ -87,6 +103,12 @@ class SpriteViewport {
     SpriteScene scene_;
     std::vector<CellArea> areas_{CellArea{}};
     std::vector<SpriteCell> cells_;
+    SceneRepresentations representations_;
+    RepresentationCells compared_;
+    glm::ivec2 comparedPx_{1};  // without the row below
+    int gapPx_ = 2;
+    // Apart, so that this can be moved while the library builds.
+    std::unique_ptr<LevelLibrary> library_ = std::make_unique<LevelLibrary>();
     gl::TimerQuery timer_;
     SceneFigures figures_;
     std::chrono::steady_clock::time_point drawnAt_;
