@@ -1,4 +1,5 @@
-// The conformance page names what there is: files, tests, and the specification's uniforms.
+// The conformance pages, one a seed, name what there is: files, tests, the specification's
+// uniforms.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -7,6 +8,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace voxprite::test {
 namespace {
@@ -40,26 +42,98 @@ std::set<std::string> matchesIn(const std::string& text, const std::regex& patte
     return found;
 }
 
+// A seed's page, and how many rows it has at least: what the seed asks for, counted.
+struct Page {
+    const char* name;
+    std::size_t leastRows;
+};
+constexpr Page kPages[] = {{"CONFORMANCE.md", 34},
+                           {"CONFORMANCE_RAYCAST.md", 44},
+                           {"CONFORMANCE_SNAPSHOTS.md", 20},
+                           {"CONFORMANCE_CLUSTERS.md", 20}};
+
+std::string contentOf(const Page& page) {
+    return contentOf(kSource / "tests" / page.name);
+}
+
+const std::regex kTestName("`([A-Z]\\w+\\.(?:[A-Z]\\w+|\\*))`");
+
+// The rows of all tables, without their heads.
+std::vector<std::string> rowsOf(const std::string& page) {
+    std::vector<std::string> rows;
+    std::istringstream lines(page);
+    std::string line;
+    bool below = false;  // of a table's head
+    while (std::getline(lines, line)) {
+        if (line.empty() || line[0] != '|') {
+            below = false;
+        } else if (line.starts_with("|---")) {
+            below = true;
+        } else if (below) {
+            rows.push_back(line);
+        }
+    }
+    return rows;
+}
+
+// "Suite.Test" and "Suite.*" of every test there is.
+std::set<std::string> declaredTests() {
+    const std::string sources = everythingBelow(kSource / "tests", {".cpp"});
+    const std::regex declaration("TEST(?:_F|_P)?\\((\\w+),\\s*(\\w+)\\)");
+    std::set<std::string> declared;
+    for (std::size_t at = sources.find("\nTEST"); at != std::string::npos;
+         at = sources.find("\nTEST", at + 1)) {
+        std::smatch match;
+        const std::string head = sources.substr(at + 1, 160);
+        if (!std::regex_search(head, match, declaration, std::regex_constants::match_continuous))
+            continue;
+        declared.insert(match[1].str() + "." + match[2].str());
+        declared.insert(match[1].str() + ".*");
+    }
+    return declared;
+}
+
+TEST(ConformancePage, ThereIsOneForEverySeed) {
+    std::set<std::string> found;
+    for (const fs::directory_entry& entry : fs::directory_iterator(kSource / "tests")) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with("CONFORMANCE")) found.insert(name);
+    }
+    std::set<std::string> known;
+    for (const Page& page : kPages) known.insert(page.name);
+    EXPECT_EQ(found, known);
+}
+
 TEST(ConformancePage, NamesFilesThatExist) {
-    const std::string page = contentOf(kSource / "tests/CONFORMANCE.md");
-    const std::set<std::string> files =
-        matchesIn(page, std::regex("`([a-z]+/[\\w/]+\\.(?:cpp|h|glsl|frag|vert|md))`"));
-    EXPECT_GT(files.size(), 15u);
-    for (const std::string& file : files) EXPECT_TRUE(fs::exists(kSource / file)) << file;
+    for (const Page& page : kPages) {
+        const std::set<std::string> files = matchesIn(
+            contentOf(page), std::regex("`([a-z]+/[\\w/]+\\.(?:cpp|h|glsl|frag|vert|comp|md))`"));
+        EXPECT_GT(files.size(), 3u) << page.name;
+        for (const std::string& file : files)
+            EXPECT_TRUE(fs::exists(kSource / file)) << page.name << ": " << file;
+    }
 }
 
 TEST(ConformancePage, NamesTestsThatExist) {
-    const std::string page = contentOf(kSource / "tests/CONFORMANCE.md");
-    const std::string tests = everythingBelow(kSource / "tests", {".cpp"});
-    const std::set<std::string> names =
-        matchesIn(page, std::regex("`([A-Z]\\w+\\.(?:[A-Z]\\w+|\\*))`"));
-    EXPECT_GT(names.size(), 40u);
-    for (const std::string& name : names) {
-        const std::size_t dot = name.find('.');
-        const std::string test = name.substr(dot + 1);
-        const std::regex declared("TEST(_F|_P)?\\(" + name.substr(0, dot) + ",\\s*" +
-                                  (test == "*" ? "\\w+" : test) + "\\)");
-        EXPECT_TRUE(std::regex_search(tests, declared)) << name;
+    const std::set<std::string> declared = declaredTests();
+    EXPECT_GT(declared.size(), 1000u);
+    for (const Page& page : kPages) {
+        const std::set<std::string> names = matchesIn(contentOf(page), kTestName);
+        EXPECT_GT(names.size(), 15u) << page.name;
+        for (const std::string& name : names)
+            EXPECT_TRUE(declared.contains(name)) << page.name << ": " << name;
+    }
+}
+
+TEST(ConformancePage, EveryRowNamesATest) {
+    for (const Page& page : kPages) {
+        const std::vector<std::string> rows = rowsOf(contentOf(page));
+        EXPECT_GE(rows.size(), page.leastRows) << page.name;
+        for (const std::string& row : rows) {
+            EXPECT_TRUE(std::regex_search(row, kTestName) ||
+                        row.find("nothing to show") != std::string::npos)
+                << page.name << ": " << row;
+        }
     }
 }
 
