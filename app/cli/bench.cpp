@@ -81,8 +81,11 @@ Result<Report> runBench(const Options& options) {
         if (!figures) return Failure(figures.error());
         report.json[kParts[k]] = std::move(*figures);
     }
-    const bool tables = options.markdown && report.json.contains("frame");
-    report.text = tables ? bench::frameTables(report.json["frame"]) : describe(report.json);
+    if (options.markdown && report.json.contains("frame"))
+        report.text += bench::frameTables(report.json["frame"]);
+    if (options.markdown && report.json.contains("clusters"))
+        report.text += bench::clusterTables(report.json["clusters"]);
+    if (report.text.empty()) report.text = describe(report.json);
     return report;
 }
 
@@ -100,7 +103,7 @@ void addBench(CLI::App& app, Command& command) {
     sub.add_option("--corpus", options->corpus,
                    "A folder of real models beside the samples (else VOXPRITE_CORPUS)")
         ->type_name("DIR");
-    sub.add_flag("--markdown", options->markdown, "The frames as tables in Markdown");
+    sub.add_flag("--markdown", options->markdown, "Frames and clusters as tables in Markdown");
     addJsonFlag(sub, command);
     runs(sub, command, options, runBench);
 }

@@ -1,5 +1,7 @@
 // voxprite bench: what its crowds count (never how long they take).
 #include <algorithm>
+#include <cstdint>
+#include <map>
 #include <set>
 #include <string>
 #include <tuple>
@@ -68,6 +70,37 @@ TEST_F(Bench, CrowdsAreOneDrawAndCastOnlyWhatIsNew) {
     EXPECT_EQ(ways.size(), 2u * 2u * 2u + 2u);  // the rival knows one view
     EXPECT_EQ(oneSprite, 4);
     EXPECT_TRUE(tenThousand);
+}
+
+// What a budget promises is seen: nothing sticks out by more, nothing is missing, and more
+// tolerance takes no more clusters.
+TEST_F(Bench, ClustersKeepTheirBudgets) {
+    const ProgramResult result = run({"bench", "--quick", "--only", "clusters", "--json"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json report = result.json();
+    std::map<std::string, std::uint64_t> clusters;
+    std::map<std::string, std::uint64_t> finest;
+    int saved = 0;
+    for (const json& figure : report.at("clusters")) {
+        const std::string model = figure.at("model").get<std::string>();
+        if (figure.contains("level") && figure.at("level") == 0)
+            finest[model] = figure.at("clusters").get<std::uint64_t>();
+        if (!figure.contains("budget_px")) continue;
+        const double budget = figure.at("budget_px").get<double>();
+        const auto count = figure.at("clusters").get<std::uint64_t>();
+        // A pixel more, since those of both silhouettes are whole.
+        EXPECT_LE(figure.at("overhang_px").get<double>(), budget + 1.0) << figure;
+        EXPECT_LE(figure.at("missing_px").get<int>(), 2) << figure;
+        if (budget == 0.0) {
+            EXPECT_EQ(count, finest.at(model));
+        } else {
+            EXPECT_LE(count, clusters.at(model)) << figure;
+            saved += count < clusters.at(model) ? 1 : 0;
+        }
+        clusters[model] = count;
+    }
+    EXPECT_GE(clusters.size(), 5u);
+    EXPECT_GT(saved, 5);
 }
 
 }  // namespace

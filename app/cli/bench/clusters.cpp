@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/cli/bench/bench.h"
+#include "app/cli/bench/cluster_frames.h"
 #include "core/lod/cluster_cut.h"
 #include "core/lod/cluster_mesh.h"
 #include "core/measure/mask.h"
@@ -18,6 +19,7 @@ namespace voxprite::bench {
 namespace {
 
 constexpr glm::ivec2 kFramePx{512, 512};
+constexpr double kFovDegrees = 45.0;
 constexpr int kMostOverhangPx = 64;  // what is searched
 
 Json buildFigure(const BenchModel& model, const ClusterMesh& mesh, int threads, double ms) {
@@ -44,7 +46,7 @@ void levelFigures(const BenchModel& model, const ClusterMesh& mesh, Json& out) {
     }
 }
 
-// One model before a camera, drawn from clusters.
+// One model before a camera, a voxel at most a pixel wide, drawn from clusters.
 class View {
   public:
     View(ClusterRenderer& renderer, const BenchModel& model, const ClusterMesh& mesh)
@@ -52,11 +54,14 @@ class View {
         gpu_.upload(mesh);
         const IBox box{glm::ivec3(0), model.octree.size};
         placed_ = placeEntity(Entity{}, box, profile_);
-        // The sphere around the model fills the picture.
+        // A voxel is a pixel wide, or less where the model would not fit the picture.
+        const Camera one = orbitCamera({}, glm::dvec3(0.0), 1.0, kFovDegrees, kFramePx);
         const double radius =
             0.5 * profile_.voxelSizeMetres * glm::length(glm::dvec3(model.octree.size));
+        const double distance =
+            std::max(profile_.voxelSizeMetres / one.metresPerScreenPx(1.0), 2.7 * radius);
         camera_ =
-            orbitCamera({30.0, 25.0, 0.0}, placed_.centreMetres(), 2.62 * radius, 45.0, kFramePx);
+            orbitCamera({30.0, 25.0, 0.0}, placed_.centreMetres(), distance, kFovDegrees, kFramePx);
     }
 
     [[nodiscard]] std::vector<std::uint32_t> cut(double budgetPx) const {
@@ -108,7 +113,7 @@ Status budgetFigures(ClusterRenderer& renderer, const BenchModel& model, const C
     View view(renderer, model, mesh);
     const Result<Mask> exact = view.silhouette(0.0);
     if (!exact) return Failure(exact.error());
-    for (const double budgetPx : {0.0, 0.5, 1.0, 2.0, 4.0, 8.0}) {
+    for (const double budgetPx : {0.0, 1.0, 2.0, 4.0, 8.0, 16.0}) {
         const std::vector<std::uint32_t> chosen = view.cut(budgetPx);
         std::uint64_t indices = 0;
         for (const std::uint32_t page : chosen) indices += mesh.pages[page].indexCount;
@@ -146,6 +151,7 @@ Result<Json> benchClusters(const std::vector<BenchModel>& models, const Effort& 
         if (Status ok = budgetFigures(*renderer, model, *mesh, figures); !ok)
             return Failure(ok.error());
     }
+    if (Status ok = benchClusterFrames(models, effort, figures); !ok) return Failure(ok.error());
     return figures;
 }
 

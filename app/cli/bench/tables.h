@@ -1,4 +1,4 @@
-// The figures of frames as tables for a page.
+// The figures of frames and clusters as tables for a page.
 #pragma once
 
 #include <string>
@@ -10,5 +10,9 @@ namespace voxprite::bench {
 // Markdown of what benchFrame has measured: one sprite by both modes; crowds, a row for each number
 // of entities, a column for each way of drawing.
 [[nodiscard]] std::string frameTables(const Json& figures);
+
+// The same of benchClusters: a row a model, with what building costs and the finest three levels;
+// then what budgets save, and what they show.
+[[nodiscard]] std::string clusterTables(const Json& figures);
 
 }  // namespace voxprite::bench
