@@ -35,7 +35,9 @@ enum class BufferBinding : std::uint32_t {
     clusterPages = 3,
     clusterCuts = 4,
     clusterCommands = 5,
-    snapshots = 6
+    snapshots = 6,
+    rays = 7,
+    rayHits = 8
 };
 
 // binding = N of each texture

@@ -39,7 +39,8 @@ struct VoxelViewBlock {
     float grid_radius = 1.0f;
     std::int32_t grid_shown = 1;
     std::int32_t occlusion_shown = 1;
-    std::array<float, 2> padding{};
+    std::int32_t view_leaf_level = 0;
+    float padding = 0.0f;
     glm::vec4 ghost_tint{0.0f};
     glm::vec4 sun{0.0f};
     float ghost_nearer = 1.0f;
@@ -80,6 +81,10 @@ struct RootSpace {
     }
 };
 
+int leafLevel(const GpuOctree& octree, const VoxelViewOptions& options) {
+    return std::clamp(octree.maxDepth() - options.maxDepth, 0, octree.maxDepth());
+}
+
 // Half-lambert (Valve 2004): faces turned away keep their shape. One value for each face.
 float halfLambert(glm::dvec3 normal, glm::dvec3 towardLight, double ambient) {
     const double wrapped = 0.5 + 0.5 * glm::dot(normal, towardLight);
@@ -90,6 +95,7 @@ float halfLambert(glm::dvec3 normal, glm::dvec3 towardLight, double ambient) {
 
 struct VoxelView::Impl {
     gl::Program voxels;
+    gl::Program limitedVoxels;  // to a depth above the voxels
     gl::Program backdrop;
     gl::Program clusterVoxels;
     ClusterPass clusters;
@@ -100,7 +106,7 @@ struct VoxelView::Impl {
     OcclusionRays occlusionRays;
 
     void fillBox(VoxelViewBlock& block, const GpuOctree& octree, const PlacedEntity& placed,
-                 const Camera& camera) const;
+                 const Camera& camera, const VoxelViewOptions& options) const;
     void fillRays(VoxelViewBlock& block, const RootSpace& space, const Camera& camera) const;
     void fillLook(VoxelViewBlock& block, const RootSpace& space, const GpuOctree& octree,
                   const VoxelViewOptions& options) const;
@@ -115,17 +121,23 @@ struct VoxelView::Impl {
 };
 
 void VoxelView::Impl::fillBox(VoxelViewBlock& block, const GpuOctree& octree,
-                              const PlacedEntity& placed, const Camera& camera) const {
+                              const PlacedEntity& placed, const Camera& camera,
+                              const VoxelViewOptions& options) const {
     const glm::ivec3 edge(1 << octree.maxDepth());
-    block.view_box_low = glm::clamp(octree.treeFromVoxel(), glm::ivec3(0), edge);
-    block.view_box_high = glm::clamp(octree.treeFromVoxel() + octree.size(), glm::ivec3(0), edge);
+    const int level = leafLevel(octree, options);
+    block.view_leaf_level = level;
+    // Whole nodes of that level.
+    const glm::ivec3 low = glm::clamp(octree.treeFromVoxel(), glm::ivec3(0), edge);
+    const glm::ivec3 high = glm::clamp(octree.treeFromVoxel() + octree.size(), glm::ivec3(0), edge);
+    block.view_box_low = (low >> level) << level;
+    block.view_box_high = ((high + ((1 << level) - 1)) >> level) << level;
     const glm::dmat4 clipFromEye = camera.clipFromCameraRelative();
-    const glm::dvec3 low(block.view_box_low - octree.treeFromVoxel());
-    const glm::dvec3 high(block.view_box_high - octree.treeFromVoxel());
+    const glm::dvec3 lowCorner(block.view_box_low - octree.treeFromVoxel());
+    const glm::dvec3 highCorner(block.view_box_high - octree.treeFromVoxel());
     for (int octant = 0; octant < 8; ++octant) {
-        const glm::dvec3 voxel((octant & 1) != 0 ? high.x : low.x,
-                               (octant & 2) != 0 ? high.y : low.y,
-                               (octant & 4) != 0 ? high.z : low.z);
+        const glm::dvec3 voxel((octant & 1) != 0 ? highCorner.x : lowCorner.x,
+                               (octant & 2) != 0 ? highCorner.y : lowCorner.y,
+                               (octant & 4) != 0 ? highCorner.z : lowCorner.z);
         const glm::dvec3 metres = placed.worldFromVoxel(voxel) - camera.eyeMetres;
         block.box_corners[static_cast<std::size_t>(octant)] =
             glm::vec4(clipFromEye * glm::dvec4(metres, 1.0));
@@ -209,7 +221,7 @@ void VoxelView::Impl::setView(const GpuOctree& octree, const PlacedEntity& place
                               const Ghost& ghost) {
     const RootSpace space(octree, placed, camera);
     VoxelViewBlock block;
-    fillBox(block, octree, placed, camera);
+    fillBox(block, octree, placed, camera, options);
     fillRays(block, space, camera);
     fillLook(block, space, octree, options);
     block.ghost_tint = ghost.tint;
@@ -232,7 +244,7 @@ void VoxelView::Impl::drawVoxels(const GpuOctree& octree, const Palette& colours
     setPalette(colours, space, options);
     bindTexture(TextureUnit::palette, palette.texture());
     gl::apply(state);
-    gl::useProgram(voxels);
+    gl::useProgram(leafLevel(octree, options) > 0 ? limitedVoxels : voxels);
     glDrawArrays(GL_TRIANGLES, 0, 36);
 }
 
@@ -318,7 +330,11 @@ Result<VoxelView> VoxelView::create() {
     if (!clusterVoxels) return tl::unexpected(clusterVoxels.error());
     Result<ClusterPass> clusters = ClusterPass::create();
     if (!clusters) return tl::unexpected(clusters.error());
+    Result<gl::Program> limited =
+        gl::compileProgram("voxel_view.vert", "voxel_view.frag", {"DEPTH_LIMIT"});
+    if (!limited) return tl::unexpected(limited.error());
     impl->voxels = std::move(*voxels);
+    impl->limitedVoxels = std::move(*limited);
     impl->clusterVoxels = std::move(*clusterVoxels);
     impl->clusters = std::move(*clusters);
     impl->backdrop = std::move(*backdrop);

@@ -35,6 +35,9 @@ struct VoxelViewOptions {
     const GpuClusters* clusters = nullptr;
     double clusterBudgetPx = 1.0;  // screen pixels that a surface may be off
     bool tintLevels = false;       // of clusters: colours tell the level of detail
+    // Of rays: levels below the octree's root that are looked at. A node at the last of them that
+    // holds anything is one cube in the colour of its first voxel (RaycastOptions::maxDepth).
+    int maxDepth = kMaxOctreeDepth;
 };
 
 class VoxelView {

@@ -1,7 +1,6 @@
 // The voxels as clusters show them, lit and shaded as rays show them.
 
 #include "shared/octree_block.glsl"
-#include "shared/octree.glsl"
 #include "shared/voxel_view.glsl"
 #include "shared/voxel_walk.glsl"
 #include "shared/voxel_shading.glsl"

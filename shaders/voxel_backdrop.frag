@@ -1,7 +1,6 @@
 // Behind the voxels: a soft gradient, and on the plane under the model a grid and its shadow.
 
 #include "shared/octree_block.glsl"
-#include "shared/octree.glsl"
 #include "shared/voxel_view.glsl"
 #include "shared/voxel_walk.glsl"
 #include "shared/grid.glsl"

@@ -1,7 +1,6 @@
 // The voxels, lit and shaded where a ray of the eye meets them.
 
 #include "shared/octree_block.glsl"
-#include "shared/octree.glsl"
 #include "shared/voxel_view.glsl"
 #include "shared/voxel_walk.glsl"
 #include "shared/voxel_shading.glsl"

@@ -5,6 +5,11 @@
 
 layout(binding = 0) uniform usampler2D svo_texture;
 
+// Nodes of edge 2^LEAF_LEVEL are leaves, solid ones if they hold anything.
+#ifndef LEAF_LEVEL
+#define LEAF_LEVEL 0
+#endif
+
 const uint kWidthBits = 12u;  // the texture is 4096 texels wide
 const uint kInternal = 0x80000000u;
 const uint kBrick = 0x40000000u;
@@ -12,6 +17,21 @@ const uint kBrick = 0x40000000u;
 uint svoTexel(uint index) {
     return texelFetch(svo_texture,
                       ivec2(int(index & ((1u << kWidthBits) - 1u)), int(index >> kWidthBits)), 0).r;
+}
+
+// The material of a node taken for a leaf: that of its first solid voxel, octant by octant in their
+// order (firstMaterial of core/trace/octree_walk.h).
+uint firstMaterial(uint word) {
+    while ((word & kInternal) != 0u) word = svoTexel(node_offset + ((word & 0x7FFFFF00u) >> 8u));
+    if ((word & kBrick) == 0u) return word;
+    uint payload = payload_offset + 2u * (word & 0x3FFFFFFFu);
+    uint materials = svoTexel(payload);
+    if (materials == 0u) materials = svoTexel(payload + 1u);
+    return (materials >> (uint(findLSB(materials)) & 24u)) & 0xFFu;
+}
+
+uint leafWord(uint word, int shift) {
+    return LEAF_LEVEL > 0 && shift == LEAF_LEVEL ? firstMaterial(word) : word;
 }
 
 // A cube of one material: the cell itself in a brick, or the largest node known to be of one kind.
@@ -31,7 +51,7 @@ uint path_words[17];  // by shift
 void startAtRoot(out Cursor cursor) {
     cursor.cell = ivec3(0);
     cursor.shift = int(svo_max_depth);
-    path_words[cursor.shift] = svoTexel(node_offset);
+    path_words[cursor.shift] = leafWord(svoTexel(node_offset), cursor.shift);
 }
 
 Region regionAt(ivec3 cell, inout Cursor cursor) {
@@ -47,8 +67,8 @@ Region regionAt(ivec3 cell, inout Cursor cursor) {
         if (((children >> octant) & 1u) == 0u) break;
         uint child = ((word & 0x7FFFFF00u) >> 8u) +
                      uint(bitCount(children & ((1u << octant) - 1u)));
-        word = svoTexel(node_offset + child);
         shift = region.shift;
+        word = leafWord(svoTexel(node_offset + child), shift);
         path_words[shift] = word;
     }
     cursor.cell = cell;

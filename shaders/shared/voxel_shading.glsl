@@ -146,7 +146,10 @@ vec3 voxelColour(Hit hit, FacePoint point, inout Cursor cursor) {
                 : 0.85 * rayOcclusion(hit, point.faces_up, point.position, cursor);
         light *= 1.0 - lost * (1.0 - smoothstep(0.5, 1.0, large));
     }
-    if (edges_shown != 0) light *= 1.0 - 0.16 * edgeShade(point.position, point.footprint);
+    if (edges_shown != 0) {
+        float cube = float(1 << LEAF_LEVEL);
+        light *= 1.0 - 0.16 * edgeShade(point.position / cube, point.footprint / cube);
+    }
     return base * light;
 }
 

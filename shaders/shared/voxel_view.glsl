@@ -20,6 +20,7 @@ layout(std140, binding = 6) uniform VoxelViewBlock {
     float grid_radius;          // voxels at which the grid has faded
     int grid_shown;
     int occlusion_shown;        // 1: in corners, 2: by short rays
+    int view_leaf_level;        // of DEPTH_LIMIT: nodes of edge 2^this are the smallest cubes
     vec4 ghost_tint;            // alpha: that of a ghost's pixels; 0 for the model itself
     vec4 sun;                   // where it is; w: how much its light is missed in shadow, 0: none
     float ghost_nearer;         // what a ghost's depth is multiplied by

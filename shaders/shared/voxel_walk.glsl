@@ -1,10 +1,18 @@
-// A perspective (or parallel) ray through the octree, in floating point.
+// Rays of the voxel view: quantised where they come into the model's box, then walked exactly (see
+// ray_walk.glsl), so that no ray slips between two cells and every driver finds the same voxels
+// for the same start and direction.
 //
-// The walk keeps an integer cell and takes every time of crossing anew from the face's position, so
-// that errors do not grow; where it leaves a node its cell is clamped to that node. So a ray cannot
-// slip between two cells (Amanatides & Woo 1987).
-//
-// Who includes this includes octree_block.glsl, octree.glsl and voxel_view.glsl before.
+// Who includes this includes octree_block.glsl and voxel_view.glsl before. Positions are in voxels
+// from the middle of the root cube.
+
+// DEPTH_LIMIT: nodes of edge 2^view_leaf_level are the smallest cubes.
+#ifdef DEPTH_LIMIT
+#define LEAF_LEVEL view_leaf_level
+#else
+#define LEAF_LEVEL 0
+#endif
+
+#include "shared/ray_walk.glsl"
 
 struct Hit {
     uint material;
@@ -13,76 +21,71 @@ struct Hit {
     ivec3 cell;  // tree coordinates
 };
 
-// A ray mirrored so that it runs upwards on every axis, as in the lattice caster; `bits` mirrors
-// cells. [low, high) is the model.
-struct Ray {
-    vec3 origin;
-    vec3 direction;
-    vec3 inverse;
-    ivec3 bits, low, high;
-    int middle;
-};
-
-Ray rayFrom(vec3 origin, vec3 direction) {
-    Ray ray;
-    int edge = 1 << int(svo_max_depth);
-    bvec3 mirrored = lessThan(direction, vec3(0.0));
-    ray.middle = edge >> 1;
-    ray.bits = ivec3(mirrored) * (edge - 1);
-    ray.low = mix(view_box_low, edge - view_box_high, mirrored);
-    ray.high = mix(view_box_high, edge - view_box_low, mirrored);
-    ray.origin = mix(origin, -origin, mirrored);
-    ray.direction = max(abs(direction), vec3(1e-12));
-    ray.inverse = 1.0 / ray.direction;
-    return ray;
+float largest(vec3 v) {
+    return max(max(v.x, v.y), v.z);
 }
 
-// On from a (mirrored) cell, into which the ray comes through `hit.axis` at `hit.t`.
-Hit walk(Ray ray, ivec3 cell, Hit hit, inout Cursor cursor) {
-    do {
-        Region region = regionAt(cell ^ ray.bits, cursor);
-        if (region.material != 0u) {
-            hit.material = region.material;
-            hit.cell = cell ^ ray.bits;
-            return hit;
-        }
-        ivec3 ends = min(((cell >> region.shift) + 1) << region.shift, ray.high);
-        vec3 times = (vec3(ends - ray.middle) - ray.origin) * ray.inverse;
-        hit.axis = times.x <= min(times.y, times.z) ? 0 : times.y <= times.z ? 1 : 2;
-        hit.t = hit.axis == 0 ? times.x : hit.axis == 1 ? times.y : times.z;
-        ivec3 next = clamp(ivec3(floor(ray.origin + ray.direction * hit.t)) + ray.middle, cell,
-                           ends - 1);
-        cell = mix(next, ends, equal(ivec3(hit.axis), ivec3(0, 1, 2)));
-    } while (all(lessThan(cell, ray.high)));
-    return hit;
+ivec3 latticePosition(vec3 at) {
+    float steps = float(1 << (kRayEdgeBits - int(svo_max_depth)));
+    return ivec3(round(at * steps)) + (1 << (kRayEdgeBits - 1));
+}
+
+ivec3 latticeDirection(vec3 direction, float scale) {
+    return ivec3(round(direction * (float(1 << kRayDirectionBits) / scale)));
+}
+
+// When the ray comes to the box's near faces, or `nearest`; at axes along which it does not move, too.
+vec3 entryTimes(vec3 origin, vec3 direction, vec3 low, vec3 high, float nearest) {
+    vec3 times = (mix(low, high, lessThan(direction, vec3(0.0))) - origin) / direction;
+    return mix(times, vec3(nearest), equal(direction, vec3(0.0)));
 }
 
 // The first voxel that the ray meets from `nearest` on.
 Hit castRay(vec3 origin, vec3 direction, float nearest, out Cursor cursor) {
-    startAtRoot(cursor);
-    Ray ray = rayFrom(origin, direction);
     Hit hit = Hit(0u, 0, nearest, ivec3(0));
-    vec3 enter = (vec3(ray.low - ray.middle) - ray.origin) * ray.inverse;
-    vec3 leave = (vec3(ray.high - ray.middle) - ray.origin) * ray.inverse;
-    float t = max(max(enter.x, enter.y), enter.z);
-    if (t > min(min(leave.x, leave.y), leave.z)) return hit;
-    if (t > nearest) {
-        hit.axis = t == enter.x ? 0 : t == enter.y ? 1 : 2;
-        hit.t = t;
-    } else {
-        vec3 d = ray.direction;
-        hit.axis = d.x >= max(d.y, d.z) ? 0 : d.y >= d.z ? 1 : 2;
+    int middle = 1 << (int(svo_max_depth) - 1);
+    vec3 low = vec3(view_box_low - middle);
+    vec3 high = vec3(view_box_high - middle);
+    float enter = max(largest(entryTimes(origin, direction, low, high, nearest)), nearest);
+    vec3 start = origin + direction * enter;
+    // Rounding moves the line by far less than a voxel: it would miss as well.
+    if (any(lessThan(start, low - 1.0)) || any(greaterThan(start, high + 1.0))) {
+        startAtRoot(cursor);
+        return hit;
     }
-    ivec3 cell = clamp(ivec3(floor(ray.origin + ray.direction * hit.t)) + ray.middle, ray.low,
-                       ray.high - 1);
-    return walk(ray, cell, hit, cursor);
+    vec3 size = abs(direction);
+    float scale = largest(size);
+    Meeting met = castQuantised(latticePosition(start), latticeDirection(direction, scale),
+                                enter == nearest, view_box_low, view_box_high, cursor);
+    if (met.material == 0u) return hit;
+    hit.material = met.material;
+    hit.cell = met.cell;
+    if (met.axis == 3) {
+        hit.axis = size.x == scale ? 0 : size.y == scale ? 1 : 2;
+        return hit;
+    }
+    hit.axis = met.axis;
+    int node = met.cell[hit.axis] >> LEAF_LEVEL;
+    int face = (direction[hit.axis] < 0.0 ? node + 1 : node) << LEAF_LEVEL;
+    hit.t = (float(face - middle) - origin[hit.axis]) / direction[hit.axis];
+    // A ray that grazes a face may meet its plane elsewhere than the line walked does.
+    float walked = enter + float(met.crossing.numerator / met.crossing.denominator) *
+                               (float(1 << kRayDirectionBits) /
+                                (scale * float(1 << position_bits)));
+    if (abs(hit.t - walked) * scale > 0.25) hit.t = walked;
+    return hit;
 }
 
-// Does a voxel stand between a point of `cell`, which is empty, and the sun? Starting in the cell
-// that the face looks into, the walk cannot meet the face's own voxel.
+// Does a voxel stand between a point of `cell`, which is empty, and the sun? Starting inside the
+// cell that the face looks into, the walk cannot meet the face's own voxel.
 bool inShadow(vec3 at, ivec3 cell, inout Cursor cursor) {
-    Ray ray = rayFrom(at, sun.xyz);
-    cell ^= ray.bits;
-    if (any(lessThan(cell, ray.low)) || any(greaterThanEqual(cell, ray.high))) return false;
-    return walk(ray, cell, Hit(0u, 0, 0.0, ivec3(0)), cursor).material != 0u;
+    if (any(lessThan(cell, view_box_low)) || any(greaterThanEqual(cell, view_box_high))) {
+        return false;
+    }
+    mirrorLines(latticeDirection(sun.xyz, largest(abs(sun.xyz))), view_box_low, view_box_high,
+                ivec3(0));
+    ivec3 start = clamp(latticePosition(at), (cell << position_bits) + 1,
+                        ((cell + 1) << position_bits) - 1);
+    Crossing here = Crossing(3, 0.0LF, 1.0LF);
+    return walkLine(here, dvec3(mirror_sign * start), cursor).material != 0u;
 }

@@ -58,6 +58,9 @@ TEST_F(GlBasics, EveryShaderCompilesInEveryVariant) {
         {"shadow_blob.vert", "shadow_blob.frag"},
         {"overlay_line.vert", "overlay_line.frag"},
         {"overlay_triangle.vert", "overlay_triangle.frag"},
+        {"cluster.vert", "cluster.frag"},
+        {"cluster_view.vert", "cluster_view.frag"},
+        {"snapshot.vert", "snapshot.frag"},
         {"bench_seed.vert", "bench_seed.frag"}};
     std::vector<std::string> used;
     for (const auto& [vertex, fragment] : programs) {
@@ -65,12 +68,18 @@ TEST_F(GlBasics, EveryShaderCompilesInEveryVariant) {
                                                         {"LATTICE_WIDE"},
                                                         {"PER_PIXEL_DEPTH"},
                                                         {"PROXY_BOX", "SPRITE_IDS"},
+                                                        {"DEPTH_LIMIT"},
                                                         {"LATTICE_WIDE", "PER_PIXEL_DEPTH"}}) {
             const auto program = gl::compileProgram(vertex, fragment, defines);
             EXPECT_TRUE(program) << program.error().message;
         }
         used.push_back(vertex);
         used.push_back(fragment);
+    }
+    for (const char* compute : {"cluster_cut.comp", "ray_batch.comp"}) {
+        const auto program = gl::compileCompute(compute);
+        EXPECT_TRUE(program) << program.error().message;
+        used.emplace_back(compute);
     }
     // No stage was left out.
     for (const auto& [name, text] : embeddedShaders()) {
