@@ -56,22 +56,51 @@ Json clustersJson(const ChosenClusters& clusters) {
             {"bytes", clusters.bytes}};
 }
 
+Json snapshotsJson(const Shot& shot, const ChosenSnapshots& chosen) {
+    const SnapshotRequest& request = shot.snapshots;
+    Json views = Json::array();
+    for (const ViewSet::Weighted& one : chosen.views) {
+        const glm::dvec3 direction = request.views.direction(one.view);
+        views.push_back({{"view", one.view},
+                         {"weight", one.weight},
+                         {"direction", {direction.x, direction.y, direction.z}}});
+    }
+    Json json{{"kind", nameOf(request.kind)},
+              {"view_set", request.views.name()},
+              {"views", request.views.count()},
+              {"shown", std::move(views)}};
+    if (chosen.unseen) json["unseen"] = nameOfUnseen(*chosen.unseen);
+    if (!chosen.views.empty()) {
+        json["view"] = chosen.views.front().view;
+        json["degrees_off"] = chosen.degreesOff;
+    }
+    json["roll"] = nameOf(request.views.roll);
+    if (request.kind == SnapshotKind::seed) {
+        json["size_px"] = request.sizePx;
+        json["depth"] = nameOf(request.depth.value_or(SnapshotDepth::centre));
+    }
+    json["bytes"] = chosen.bytes;
+    return json;
+}
+
 Json reportJson(const RenderOptions& options, const Shot& shot, const Drawn& drawn,
                 const Times& times) {
     Json json{{"backend", nameOf(options.backend)}, {"mode", nameOf(shot.mode)}};
     if (!drawn.driver.empty()) json["gl"] = drawn.driver;
     if (drawn.buffer) {
         const SpriteBuffer& buffer = *drawn.buffer;
-        json["sigma_in_force"] = shot.sigmaInForce;
+        const bool sprite = !drawn.snapshots || shot.snapshots.kind == SnapshotKind::sprite;
+        if (sprite) json["sigma_in_force"] = shot.sigmaInForce;
         if (shot.unseen) json["unseen"] = nameOfUnseen(*shot.unseen);
         json["buffer"] = {{"size", {buffer.size.x, buffer.size.y}},
                           {"sha256", buffer.sha256()},
                           {"ids_sha256", buffer.idsSha256()},
                           {"opaque", buffer.opaqueCount()},
                           {"outline", buffer.outlineCount()}};
-        json["lattice"] = latticeJson(shot.lattice);
+        if (sprite) json["lattice"] = latticeJson(shot.lattice);
         json["sockets"] = socketsJson(shot);
     }
+    if (drawn.snapshots) json["snapshots"] = snapshotsJson(shot, *drawn.snapshots);
     if (drawn.clusters) json["clusters"] = clustersJson(*drawn.clusters);
     const glm::ivec2 size = shot.latticeGiven && drawn.buffer ? drawn.buffer->size : options.sizePx;
     json["image"] = {{"size", {size.x, size.y}}};
@@ -90,6 +119,13 @@ std::string describe(const RenderOptions& options, const Shot& shot, const Drawn
             text += "level " + std::to_string(level.level) + ": " + std::to_string(level.clusters) +
                     " clusters, " + std::to_string(level.triangles) + " triangles\n";
         }
+    }
+    if (drawn.snapshots && !drawn.snapshots->views.empty()) {
+        char line[256];
+        std::snprintf(line, sizeof line, "view %d of %s, %.2f degrees off the true one\n",
+                      drawn.snapshots->views.front().view, shot.snapshots.views.name().c_str(),
+                      drawn.snapshots->degreesOff);
+        text += line;
     }
     if (!drawn.buffer) return text;
     char line[256];
@@ -128,8 +164,14 @@ Result<Report> render(const RenderOptions& options) {
     const Result<Shot> shot = makeShot(options, times);
     if (!shot) return Failure(shot.error());
     const bool wantImage = options.output.has_value();
+    const bool billboard = shot->mode == RenderMode::billboard;
     const auto draw = options.backend == Backend::gl ? drawOnGl : drawOnCpu;
-    const Result<Drawn> drawn = draw(*shot, shot->mode, wantImage, times);
+    Result<Drawn> drawn = billboard && shot->snapshots.kind == SnapshotKind::seed
+                              ? drawSnapshots(*shot, options.backend, wantImage, times)
+                              : draw(*shot, shot->mode, wantImage, times);
+    if (drawn && billboard && !drawn->snapshots) {
+        drawn->snapshots = chosenSprite(*shot, *drawn->buffer);
+    }
     if (!drawn) return Failure(inFile(Result<Drawn>(drawn), options.input).error());
     if (Status written = writePictures(options, *drawn); !written) {
         return Failure(written.error());

@@ -22,6 +22,7 @@ Result<Image> drawVoxels(const Shot& shot, const GpuOctree& octree) {
     options.shading = shot.profile.shading;
     options.ground = false;
     options.light = shot.profile.light;
+    options.maxDepth = shot.octreeDepth;
     Frame frame(shot.camera.viewportPx);
     view->draw(frame, octree, shot.palette, shot.placed, shot.camera, options);
     Image image = frame.readColour();
@@ -37,6 +38,10 @@ Result<Image> drawScene(const Shot& shot, const GpuOctree& octree, SceneRenderer
                         SpriteMode mode) {
     Scene scene;
     scene.entities.push_back({&octree, &shot.palette, shot.placed, nullptr});
+    if (shot.mode == RenderMode::billboard) {
+        scene.entities.back().representation = Representation::snapshot;
+        scene.entities.back().views = &shot.snapshots.views;
+    }
     scene.background = shot.background;
     scene.ground = shot.ground;
     Frame frame(shot.camera.viewportPx);

@@ -3,6 +3,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <array>
+#include <string>
 #include <utility>
 
 #include "app/cli/arguments.h"
@@ -14,7 +15,14 @@ namespace {
 
 constexpr std::array kModes{
     std::pair{RenderMode::sprite, "sprite"}, std::pair{RenderMode::singlePass, "single_pass"},
-    std::pair{RenderMode::voxels, "voxels"}, std::pair{RenderMode::clusters, "clusters"}};
+    std::pair{RenderMode::voxels, "voxels"}, std::pair{RenderMode::clusters, "clusters"},
+    std::pair{RenderMode::billboard, "billboard"}};
+constexpr std::array kSnapshotKinds{std::pair{SnapshotKind::seed, "seed"},
+                                    std::pair{SnapshotKind::sprite, "sprite"}};
+constexpr std::array kSnapshotDepths{std::pair{SnapshotDepth::centre, "centre"},
+                                     std::pair{SnapshotDepth::perPixel, "pixel"}};
+constexpr std::array kSnapshotRolls{std::pair{SnapshotRoll::matched, "matched"},
+                                    std::pair{SnapshotRoll::own, "own"}};
 constexpr std::array kBackends{std::pair{Backend::cpu, "cpu"}, std::pair{Backend::gl, "gl"}};
 
 template <class Table, class E>
@@ -41,6 +49,16 @@ std::optional<Backend> backendFrom(std::string_view text) {
     return valueIn(kBackends, text);
 }
 
+std::optional<SnapshotKind> snapshotKindFrom(std::string_view text) {
+    return valueIn(kSnapshotKinds, text);
+}
+std::optional<SnapshotDepth> snapshotDepthFrom(std::string_view text) {
+    return valueIn(kSnapshotDepths, text);
+}
+std::optional<SnapshotRoll> snapshotRollFrom(std::string_view text) {
+    return valueIn(kSnapshotRolls, text);
+}
+
 template <class E>
 std::optional<E> optionalOf(const Result<E>& result) {
     return result ? std::optional(*result) : std::nullopt;
@@ -56,6 +74,9 @@ std::optional<ProxyShape> proxyFrom(std::string_view t) {
 }
 std::optional<DepthRule> depthFrom(std::string_view t) {
     return optionalOf(depthRuleNamed(t));
+}
+std::optional<ViewSet> viewSetFrom(std::string_view t) {
+    return optionalOf(ViewSet::named(t));
 }
 std::optional<Shading> shadingFrom(std::string_view t) {
     return optionalOf(shadingNamed(t));
@@ -138,6 +159,35 @@ void addProfileOptions(CLI::App& app, RenderOptions& o) {
         o.viewStepDegrees);
 }
 
+void addSnapshotOptions(CLI::App& app, SnapshotRequest& o) {
+    add(app, "--snapshots", "seed|sprite",
+        "Mode billboard: in perspective from eight radii away, or the sprites of the views",
+        snapshotKindFrom, o.kind);
+    // A roll given before the set is not lost with it.
+    addParsed(app, "--view-set", "canonical26|octahedral:N|hemisphere:N",
+              "Mode billboard: the views that there are snapshots of (canonical26)", viewSetFrom,
+              [&o](ViewSet views) {
+                  views.roll = o.views.roll;
+                  o.views = std::move(views);
+              });
+    addParsed(app, "--snapshot-size", "PIXELS", "Mode billboard, seed: a snapshot's edge (128)",
+              indexFrom, [&o](int size) {
+                  if (size < 1 || size > kMostSnapshotPx) {
+                      throw CLI::ValidationError(
+                          "--snapshot-size", "must be 1 ... " + std::to_string(kMostSnapshotPx));
+                  }
+                  o.sizePx = size;
+              });
+    add(app, "--snapshot-depth", "centre|pixel",
+        "Mode billboard: one depth, or each pixel its own (centre; sprite: as --depth has it)",
+        snapshotDepthFrom, o.depth);
+    add(app, "--snapshot-roll", "matched|own",
+        "Mode billboard: turn the picture to match the camera, or not at all", snapshotRollFrom,
+        o.views.roll);
+    add(app, "--snapshot-blend", "[on|off]", "Mode billboard, seed: mix the nearest views",
+        switchFrom, o.blend);
+}
+
 void addSceneOptions(CLI::App& app, RenderOptions& o) {
     addParsed(app, "--ground", "[METRES]",
               "Draw a ground; its height (else the entity stands on it)", autoNumberFrom,
@@ -158,19 +208,35 @@ const char* nameOf(Backend backend) {
     return nameIn(kBackends, backend);
 }
 
+const char* nameOf(SnapshotKind kind) {
+    return nameIn(kSnapshotKinds, kind);
+}
+const char* nameOf(SnapshotDepth depth) {
+    return nameIn(kSnapshotDepths, depth);
+}
+const char* nameOf(SnapshotRoll roll) {
+    return nameIn(kSnapshotRolls, roll);
+}
+
 void addRenderOptions(CLI::App& app, RenderOptions& o) {
     app.add_option("IN", o.input, "The model to draw")->required();
     app.add_option("-o,--output", o.output, "The picture")->type_name("OUT.png");
     app.add_option("--buffer", o.buffer,
                    "The bare sprite buffer: one pixel a virtual pixel, transparent outside")
         ->type_name("OUT.png");
-    add(app, "--mode", "sprite|single_pass|voxels|clusters",
+    add(app, "--mode", "sprite|single_pass|voxels|clusters|billboard",
         "What is drawn, and how (else as the profile has it)", modeFrom, o.mode);
     add(app, "--cluster-budget", "PIXELS",
         "Mode clusters: screen pixels that a surface may be off (1; 0 is the finest)", numberFrom,
         o.clusterBudgetPx);
     app.add_flag("--tint-levels", o.tintLevels,
                  "Mode clusters: colours tell how coarse each cluster is");
+    add(app, "--levels", "LEVELS",
+        "Draw a coarser octree: cells of 2^LEVELS voxels an edge, as wide in the world (0)",
+        indexFrom, o.levels);
+    add(app, "--octree-depth", "LEVELS",
+        "Mode voxels: how many levels of the octree are seen (all; 0: the root as one cube)",
+        indexFrom, o.octreeDepth);
     add(app, "--backend", "cpu|gl", "Where it is drawn", backendFrom, o.backend);
     app.add_option("--lattice", o.lattice,
                    "Cast exactly this view: the `lattice` of `render --json`, or all of that JSON")
@@ -178,6 +244,7 @@ void addRenderOptions(CLI::App& app, RenderOptions& o) {
     addCameraOptions(app, o);
     addEntityOptions(app, o);
     addProfileOptions(app, o);
+    addSnapshotOptions(app, o.snapshots);
     addSceneOptions(app, o);
 }
 

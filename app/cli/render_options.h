@@ -9,11 +9,13 @@
 #include <string>
 
 #include "core/base/image.h"
+#include "core/billboard/snapshot_blit.h"
 #include "core/model/game_profile.h"
+#include "core/svo/octree.h"
 
 namespace voxprite::cli {
 
-enum class RenderMode : std::uint8_t { sprite, singlePass, voxels, clusters };
+enum class RenderMode : std::uint8_t { sprite, singlePass, voxels, clusters, billboard };
 enum class Backend : std::uint8_t { cpu, gl };
 [[nodiscard]] const char* nameOf(RenderMode mode);
 // Else it shows the model in perspective, and has no sprite buffer.
@@ -21,6 +23,18 @@ enum class Backend : std::uint8_t { cpu, gl };
     return mode != RenderMode::voxels && mode != RenderMode::clusters;
 }
 [[nodiscard]] const char* nameOf(Backend backend);
+[[nodiscard]] const char* nameOf(SnapshotKind kind);
+[[nodiscard]] const char* nameOf(SnapshotDepth depth);
+[[nodiscard]] const char* nameOf(SnapshotRoll roll);
+
+// Mode `billboard`: which snapshots, and how they are drawn.
+struct SnapshotRequest {
+    SnapshotKind kind = SnapshotKind::seed;
+    ViewSet views;
+    int sizePx = kUsualSnapshotPx;       // kind seed
+    std::optional<SnapshotDepth> depth;  // else the centre's, and of kind sprite the profile's
+    bool blend = false;                  // kind seed
+};
 
 struct RenderOptions {
     std::string input;
@@ -29,6 +43,9 @@ struct RenderOptions {
     std::optional<RenderMode> mode;     // else the profile's
     double clusterBudgetPx = 1.0;       // mode clusters: screen pixels a surface may be off
     bool tintLevels = false;            // mode clusters: colours tell the level of detail
+    int levels = 0;                     // the octree is made coarser by
+    int octreeDepth = kMaxOctreeDepth;  // mode voxels: levels below the root that are seen
+    SnapshotRequest snapshots;
     Backend backend = Backend::cpu;
     std::optional<int> model;
     int frame = 0;

@@ -11,7 +11,9 @@
 #include "app/cli/stopwatch.h"
 #include "core/io/profile_json.h"
 #include "core/model/entity_voxels.h"
+#include "core/sprite/coarse_entity.h"
 #include "core/svo/bake.h"
+#include "core/svo/coarsen.h"
 
 namespace voxprite::cli {
 namespace {
@@ -120,7 +122,10 @@ Status castGivenLattice(Shot& shot, const std::string& path) {
 }
 
 Status viewFromCamera(Shot& shot) {
-    const Result<SpriteViewResult> seen = viewSprite(shot.placed, shot.camera, shot.profile);
+    const Result<SpriteViewResult> seen =
+        shot.mode == RenderMode::billboard
+            ? viewSnapshot(shot.placed, shot.camera, shot.profile, shot.snapshots.views)
+            : viewSprite(shot.placed, shot.camera, shot.profile);
     if (!seen) return Failure(seen.error());
     shot.view = seen->view;
     shot.unseen = seen->unseen;
@@ -130,6 +135,19 @@ Status viewFromCamera(Shot& shot) {
         shot.lit =
             litPalette(shot.palette, shot.view->light8, shot.profile.outline, shot.profile.shading);
     }
+    return {};
+}
+
+// The coarser octree in the place of the fine one; sockets with it.
+Status makeCoarser(Shot& shot, glm::ivec3 origin, int levels) {
+    Result<Octree> coarse = coarsen(shot.octree.view(), origin, levels);
+    if (!coarse) return Failure(coarse.error());
+    const glm::dvec3 before(origin - (coarse->origin << levels));
+    for (ShotSocket& socket : shot.sockets) {
+        socket.position = (socket.position + before) / static_cast<double>(1 << levels);
+    }
+    shot.placed = coarseEntity(shot.placed, origin, levels);
+    shot.octree = std::move(*coarse);
     return {};
 }
 
@@ -167,11 +185,32 @@ Result<Shot> makeShot(const RenderOptions& options, Times& times) {
         profile->mode == SpriteMode::singlePass ? RenderMode::singlePass : RenderMode::sprite);
     shot.placed = placeEntity(entityOf(document.entity, options, bounds), bounds, *profile);
     if (!options.positionMetres) shot.placed.anchorMetres -= shot.placed.centreMetres();
+    if (options.levels > 0) {
+        if (Status coarser = makeCoarser(shot, bounds.min, options.levels); !coarser) {
+            return Failure(inFile(std::move(coarser), options.input).error());
+        }
+    }
     shot.camera = cameraOf(options, shot.placed, *profile);
     shot.ground = groundOf(options, shot);
     shot.background = options.background;
     shot.clusterBudgetPx = options.clusterBudgetPx;
     shot.tintLevels = options.tintLevels;
+    shot.octreeDepth = options.octreeDepth;
+    if (shot.mode == RenderMode::voxels && shot.octreeDepth < shot.octree.maxDepth) {
+        // What is cut off cannot shade what stays.
+        shot.profile.light.occlusion = 0.0;
+        shot.profile.light.shadow = 0.0;
+    }
+    shot.snapshots = options.snapshots;
+    if (shot.mode == RenderMode::billboard) {
+        if (options.lattice) throw CLI::ValidationError("--lattice", "is not for snapshots");
+        if (shot.snapshots.kind == SnapshotKind::seed) return shot;
+        if (shot.snapshots.depth) {
+            shot.profile.depth = *shot.snapshots.depth == SnapshotDepth::centre
+                                     ? DepthRule::centre
+                                     : DepthRule::perPixel;
+        }
+    }
     if (!showsSprite(shot.mode)) {
         if (options.lattice) throw CLI::ValidationError("--lattice", "is for sprites");
         return shot;

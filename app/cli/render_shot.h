@@ -39,6 +39,10 @@ struct Shot {
     double clusterBudgetPx = 1.0;
     bool tintLevels = false;
 
+    int octreeDepth = kMaxOctreeDepth;  // mode `voxels`
+
+    SnapshotRequest snapshots;  // mode `billboard`
+
     // The sprite; the modes in perspective have none.
     std::optional<SpriteView> view;  // not set with a given lattice, or unseen
     std::optional<Unseen> unseen;
@@ -63,16 +67,30 @@ struct ChosenClusters {
     std::uint64_t bytes = 0;  // of the mesh on the GPU
 };
 
+// What mode `billboard` showed.
+struct ChosenSnapshots {
+    std::vector<ViewSet::Weighted> views;  // nearest first; empty when unseen
+    std::optional<Unseen> unseen;
+    double degreesOff = 0.0;  // of the nearest
+    std::uint64_t bytes = 0;  // of the snapshots that were made
+};
+
 struct Drawn {
     std::optional<SpriteBuffer> buffer;  // none in perspective
     std::optional<Image> image;          // when asked for
     std::string driver;                  // of GL
     std::optional<ChosenClusters> clusters;
+    std::optional<ChosenSnapshots> snapshots;
 };
 [[nodiscard]] Result<Drawn> drawOnCpu(const Shot& shot, RenderMode mode, bool wantImage,
                                       Times& times);
 [[nodiscard]] Result<Drawn> drawOnGl(const Shot& shot, RenderMode mode, bool wantImage,
                                      Times& times);
+// Mode `billboard` with snapshots of kind seed.
+[[nodiscard]] Result<Drawn> drawSnapshots(const Shot& shot, Backend backend, bool wantImage,
+                                          Times& times);
+// Those of kind sprite are sprites: what was shown.
+[[nodiscard]] ChosenSnapshots chosenSprite(const Shot& shot, const SpriteBuffer& buffer);
 // Mode `clusters`, in the context that is current.
 [[nodiscard]] Result<Drawn> drawClusters(const Shot& shot, Times& times);
 
