@@ -16,26 +16,22 @@ LatticeRay rayOf(const LatticeView& lattice, glm::ivec2 pixel) {
     return ray;
 }
 
-namespace {
-
-// The walk counts from the root's minimum corner.
-LatticeHit castFrom(const Course& course, glm::i64vec3 origin) {
-    const glm::i64vec3 treeFromVoxel(course.octree.treeFromVoxel);
-    const Line line(course, origin + treeFromVoxel * (std::int64_t{1} << course.positionBits));
+LatticeHit castLattice(const OctreeView& octree, const LatticeRay& ray) {
+    const Course course(octree, ray.direction, ray.positionBits);
+    const glm::i64vec3 treeFromVoxel(octree.treeFromVoxel);
+    const Line line(course, ray.origin + treeFromVoxel * (std::int64_t{1} << ray.positionBits));
     return walk(course, line, line.enter);
 }
 
-}  // namespace
-
-LatticeHit castLattice(const OctreeView& octree, const LatticeRay& ray) {
-    return castFrom(Course(octree, ray.direction, ray.positionBits), ray.origin);
+LatticeCaster::LatticeCaster(const OctreeView& octree, const LatticeView& lattice)
+    : lattice_(lattice), course_(octree, lattice.D, lattice.positionBits) {
+    // The walk counts from the root's minimum corner; so may the rays, from the start.
+    lattice_.C += octree.treeFromVoxel * (1 << lattice.positionBits);
 }
 
-LatticeCaster::LatticeCaster(const OctreeView& octree, const LatticeView& lattice)
-    : lattice_(lattice), course_(octree, lattice.D, lattice.positionBits) {}
-
 LatticeHit LatticeCaster::cast(glm::ivec2 pixel) const {
-    return castFrom(course_, rayOf(lattice_, pixel).origin);
+    const Line line(course_, rayOf(lattice_, pixel).origin);
+    return walk(course_, line, line.enter);
 }
 
 }  // namespace voxprite

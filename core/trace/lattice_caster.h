@@ -32,7 +32,7 @@ class LatticeCaster {
     [[nodiscard]] LatticeHit cast(glm::ivec2 pixel) const;
 
   private:
-    LatticeView lattice_;
+    LatticeView lattice_;  // its C from the root's minimum corner
     Course course_;
 };
 

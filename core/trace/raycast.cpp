@@ -13,6 +13,16 @@ bool finite(glm::dvec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+// To the nearest integer, halves away from zero, so that mirrored rays give mirrored integers.
+int rounded(double x) {
+    return static_cast<int>(x < 0.0 ? x - 0.5 : x + 0.5);
+}
+
+// Steps of the lattice along a ray for each voxel that it advances on its largest axis.
+double timePerVoxel(const QuantisedRay& ray) {
+    return static_cast<double>(1 << ray.positionBits) / (1 << kRayDirectionBits);
+}
+
 int largestAxis(glm::dvec3 v) {
     int largest = 0;
     for (int a = 1; a < 3; ++a)
@@ -26,9 +36,8 @@ std::int64_t keyBehind(const QuantisedRay& ray, double scaledT) {
     double product = 4.0;
     for (int a = 0; a < 3; ++a)
         if (ray.direction[a] != 0) product *= std::abs(ray.direction[a]);
-    const double steps = std::ldexp(scaledT, ray.positionBits - kRayDirectionBits);
     // From inside, what holds the origin lies behind key kInsideAxis.
-    const double key = std::max(steps * product, double{kInsideAxis} + 1.0);
+    const double key = std::max(scaledT * timePerVoxel(ray) * product, double{kInsideAxis} + 1.0);
     return key < static_cast<double>(kNever) ? static_cast<std::int64_t>(std::ceil(key)) : kNever;
 }
 
@@ -49,8 +58,8 @@ double scaledTOfFace(const Ray& ray, const QuantisedRay& q, const RaycastHit& hi
     const int axis = hit.axis;
     const std::int64_t steps =
         (std::int64_t{face + treeFromVoxel} << q.positionBits) - q.origin[axis];
-    const double walked = q.enter + std::ldexp(static_cast<double>(steps) / q.direction[axis],
-                                               kRayDirectionBits - q.positionBits);
+    const double walked =
+        q.enter + static_cast<double>(steps) / (q.direction[axis] * timePerVoxel(q));
     double t = (face - ray.origin[axis]) / q.scaled[axis];
     if (std::abs(t - walked) > slack) {
         for (int b = 0; b < 3; ++b) {
@@ -68,7 +77,7 @@ double scaledTOfFace(const Ray& ray, const QuantisedRay& q, const RaycastHit& hi
 }  // namespace
 
 double raySlack(const OctreeView& octree) {
-    return std::ldexp(1.25, octree.maxDepth - 20);
+    return 1.25 * (1 << octree.maxDepth) / (1 << 20);
 }
 
 QuantisedRay quantiseRay(const OctreeView& octree, const Ray& ray, int maxDepth) {
@@ -94,13 +103,12 @@ QuantisedRay quantiseRay(const OctreeView& octree, const Ray& ray, int maxDepth)
     const glm::dvec3 start = ray.origin + result.scaled * result.enter;
 
     result.positionBits = kRayEdgeBits - octree.maxDepth;
+    const double stepsPerVoxel = 1 << result.positionBits;
     for (int a = 0; a < 3; ++a) {
         // Rounding moves the line by far less than a voxel: it would miss as well.
         if (!(start[a] >= box.min[a] - 1.0 && start[a] <= box.max[a] + 1.0)) return result;
-        result.origin[a] = static_cast<int>(
-            std::lround(std::ldexp(start[a] + octree.treeFromVoxel[a], result.positionBits)));
-        result.direction[a] =
-            static_cast<int>(std::lround(std::ldexp(result.scaled[a], kRayDirectionBits)));
+        result.origin[a] = rounded((start[a] + octree.treeFromVoxel[a]) * stepsPerVoxel);
+        result.direction[a] = rounded(result.scaled[a] * (1 << kRayDirectionBits));
     }
     result.meetsBox = true;
     return result;
