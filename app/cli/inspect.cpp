@@ -140,7 +140,8 @@ std::string describe(const Json& json, const std::string& file) {
             text << "; octree: depth " << svo["max_depth"] << ", " << svo["nodes"] << " nodes, "
                  << svo["payloads"] << " payloads, " << svo["bytes"] << " bytes";
         }
-        if (model["name"] != "") text << "  \"" << model["name"].get<std::string>() << '"';
+        const auto name = model["name"].get<std::string>();
+        if (!name.empty()) text << "  \"" << name << '"';
         if (model["frames"] > 1) text << "  (one of " << model["frames"] << " frames)";
         text << '\n';
     }

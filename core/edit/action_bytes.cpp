@@ -13,7 +13,7 @@ std::size_t heapBytes(const Properties& properties) {
     constexpr std::size_t kTreeNode = 32;
     std::size_t bytes = 0;
     for (const auto& [key, value] : properties) {
-        bytes += kTreeNode + sizeof(key) + sizeof(value) + heapBytes(key) + heapBytes(value);
+        bytes += kTreeNode + 2 * sizeof(std::string) + heapBytes(key) + heapBytes(value);
     }
     return bytes;
 }

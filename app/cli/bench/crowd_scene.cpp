@@ -54,8 +54,9 @@ std::vector<CrowdMember> crowd(const std::vector<Octree>& models, int entities,
         Entity entity;
         entity.yawDegrees = 45.0 * static_cast<double>(random() % 8);
         const auto jitter = [&] { return 0.01 * static_cast<double>(random() % 60); };
+        const int row = k / columns;
         const double x = (k % columns - 0.5 * columns) * kSpacingMetres + jitter();
-        const double z = (k / columns - 0.5 * columns) * kSpacingMetres + jitter();
+        const double z = (row - 0.5 * columns) * kSpacingMetres + jitter();
         entity.positionMetres = {x, groundClearanceMetres(profile), z};
         const IBox bounds{glm::ivec3(0), models[static_cast<std::size_t>(model)].size};
         members.push_back({model, placeEntity(entity, bounds, profile)});

@@ -90,6 +90,7 @@ class Viewer {
 void measureWay(const TurningModel& model, const Way& way, std::vector<TurnFigures>& sums) {
     Viewer exact(model, 0.0);
     std::vector<Viewer> viewers;
+    viewers.reserve(sums.size());
     for (const TurnFigures& figures : sums) viewers.emplace_back(model, figures.stepDegrees);
     for (int frame = 0; frame <= kFramesAWay; ++frame) {
         const Camera camera =
@@ -129,6 +130,7 @@ void measureTremble(const TurningModel& model, const Way& way, std::vector<TurnF
 std::vector<TurnFigures> measureTurns(const std::vector<TurningModel>& models,
                                       const std::vector<double>& stepsDegrees) {
     std::vector<TurnFigures> figures;
+    figures.reserve(stepsDegrees.size());
     for (const double step : stepsDegrees) figures.push_back({.stepDegrees = step});
     for (const TurningModel& model : models)
         for (const Way& way : kWays) {

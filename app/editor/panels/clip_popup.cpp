@@ -3,6 +3,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/editor/commands/command_context.h"
 #include "app/editor/panels/timeline.h"
@@ -33,7 +34,7 @@ void durationRows(Ui& ui, Clip& clip) {
     bool each = !clip.durationsMilliseconds.empty();
     if (switchRow(ui, "clip.each", "Own lengths", each, "A length for each frame")) {
         const auto frames = static_cast<std::size_t>(clip.last - clip.first) + 1;
-        const int even = std::clamp(static_cast<int>(1000.0 / clip.framesPerSecond + 0.5), 1,
+        const int even = std::clamp(static_cast<int>(std::lround(1000.0 / clip.framesPerSecond)), 1,
                                     kMaxFrameMilliseconds);
         clip.durationsMilliseconds.assign(each ? frames : 0, even);
     }

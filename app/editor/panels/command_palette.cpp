@@ -57,6 +57,7 @@ std::vector<const Command*> commandsMatching(std::string_view query) {
                                  [](const auto& f) { return f.first; });
     }
     std::vector<const Command*> sorted;
+    sorted.reserve(found.size());
     for (const auto& [score, command] : found) sorted.push_back(command);
     return sorted;
 }

@@ -128,10 +128,9 @@ Action PaletteEditor::recolourToHand(std::uint8_t from) const {
     return recolour(session_.document(), from, inHand());
 }
 
-Action PaletteEditor::addVariant(std::string name) const {
-    return change("Add palette variant",
-                  withVariantAdded(palette(), session_.variant(),
-                                   freeVariantName(palette(), std::move(name))));
+Action PaletteEditor::addVariant(const std::string& name) const {
+    return change("Add palette variant", withVariantAdded(palette(), session_.variant(),
+                                                          freeVariantName(palette(), name)));
 }
 
 const ColourCounts& PaletteEditor::shownCounts(double nowSeconds) {

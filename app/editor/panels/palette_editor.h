@@ -49,7 +49,7 @@ class PaletteEditor {
     [[nodiscard]] Action removeUnused() const;
     // Voxels of `from` take the colour in hand, in all objects.
     [[nodiscard]] Action recolourToHand(std::uint8_t from) const;
-    [[nodiscard]] Action addVariant(std::string name) const;
+    [[nodiscard]] Action addVariant(const std::string& name) const;
 
     // How many voxels have each colour, as of now; and as the panel shows it, which may lag behind
     // for a moment where counting takes long.

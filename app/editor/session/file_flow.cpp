@@ -181,7 +181,7 @@ void FileFlow::openNow(const std::filesystem::path& path) {
 }
 
 void FileFlow::write(std::string title, const std::filesystem::path& path,
-                     std::function<void()> afterwards) {
+                     const std::function<void()>& afterwards) {
     if (job_.running()) {
         tell(fail(job_.title() + " is not done yet"), {});
         return;

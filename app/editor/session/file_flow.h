@@ -57,7 +57,7 @@ class FileFlow {
     void saveTo(const std::filesystem::path& path);
     void exportTo(const std::filesystem::path& path);
     void write(std::string title, const std::filesystem::path& path,
-               std::function<void()> afterwards);
+               const std::function<void()>& afterwards);
     void cancelWork();
     // What the format of a file of this name cannot hold.
     [[nodiscard]] std::vector<std::string> lossesAt(const std::filesystem::path& path) const;

@@ -53,7 +53,8 @@ Symmetry EditTarget::symmetry(const ToolOptions& options) const {
     Symmetry inModel;
     for (int axis = 0; axis < 3; ++axis) {
         const int from = modelFromEntity_.rotation.axis[static_cast<std::size_t>(axis)];
-        const int sign = modelFromEntity_.rotation.sign[static_cast<std::size_t>(axis)];
+        const int sign =
+            modelFromEntity_.rotation.sign[static_cast<std::size_t>(axis)] < 0 ? -1 : 1;
         inModel.on[static_cast<std::size_t>(axis)] =
             options.symmetry.on[static_cast<std::size_t>(from)];
         inModel.planeDoubled[axis] =

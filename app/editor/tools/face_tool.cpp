@@ -91,7 +91,7 @@ void FaceTool::begin(const ToolContext& context, ToolResult& result) {
     const int axis = face->pick.axis();
     const auto at = alongAxis(context.camera.rayThrough(context.input.pointerPx),
                               glm::dvec3(face->pick.voxel) + 0.5, axis);
-    pulled_.emplace();
+    pulled_ = Pulled();
     pulled_->face = std::move(*face);
     pulled_->mode = mode;
     pulled_->grabbed = at.value_or(0.0);

@@ -69,16 +69,16 @@ ToolResult MoveTool::update(const ToolContext& context) {
         context.settings.tool = context.settings.before;
     }
     if (typed_ && selection.floating()) {
-        const auto [index, value] = *typed_;
-        selection.changeFloating([&](Floating& floating) {
-            if (floating.kind != Floating::Kind::move || index == 3) {
-                floating.amount = std::clamp(value, 1, Floating::greatestAmount(floating.kind));
-            } else {
-                glm::ivec3 to = floating.bounds().min;
-                to[static_cast<int>(index)] = floating.home[static_cast<int>(index)] + value;
-                floating.moveTo(to);
-            }
-        });
+        selection.changeFloating(
+            [index = typed_->first, value = typed_->second](Floating& floating) {
+                if (floating.kind != Floating::Kind::move || index == 3) {
+                    floating.amount = std::clamp(value, 1, Floating::greatestAmount(floating.kind));
+                } else {
+                    glm::ivec3 to = floating.bounds().min;
+                    to[static_cast<int>(index)] = floating.home[static_cast<int>(index)] + value;
+                    floating.moveTo(to);
+                }
+            });
     }
     typed_.reset();
     hot_ = -1;

@@ -65,7 +65,7 @@ void SelectBoxTool::begin(const ToolContext& context, ToolResult& result) {
         return;
     }
     context.session.setActiveNode(target->node());
-    box_.emplace();
+    box_ = Spanned();
     box_->node = target->node();
     box_->model = target->model();
     box_->modelFromEntity = target->modelFromEntity();

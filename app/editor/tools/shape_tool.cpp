@@ -88,7 +88,7 @@ void ShapeTool::begin(const ToolContext& context, const Pick& pick, ToolResult& 
         return;
     }
     context.session.setActiveNode(target->node());
-    shape_.emplace();
+    shape_ = Pending();
     shape_->target = *target;
     shape_->mode = mode;
     shape_->chosenMode = context.settings.mode;
@@ -205,7 +205,7 @@ Result<VoxelSet> ShapeTool::voxels(const ToolOptions& options) const {
     if (kind_ == ToolKind::line) {
         // An even tip is not its own mirror image: drawn where the artist sees it, then turned.
         const BrushTip tip{options.tip, options.tipEdge, shape_->start.axis()};
-        const Result<VoxelSet> line = lineVoxels(tip, shape_->first, shape_->last);
+        Result<VoxelSet> line = lineVoxels(tip, shape_->first, shape_->last);
         if (!line) return line;
         return transformed(*line, target.modelFromEntity());
     }
