@@ -160,7 +160,9 @@ Result<Cut> Maker::cut(const OctreeView& octree, double yaw, double pitch, int f
     if (options.indices) cut.pictures.push_back(cutOut(indicesOf(buffer, *view, octree), part));
 
     const glm::dvec2 anchor = locateInSprite(lattice, octree, placed.anchor).px;
-    const glm::dvec2 anchorPixel = glm::floor(anchor);
+    // An anchor on a corner of the lattice (that of an even model) must not fall to one side here
+    // and to the other there.
+    const glm::dvec2 anchorPixel = glm::floor(anchor + 0.25);
     cut.corner = part.corner - glm::ivec2(anchorPixel);
     cut.sprite.size = part.size;
     cut.sprite.yawDegrees = yaw;

@@ -50,7 +50,7 @@ struct SheetSprite {
     glm::ivec2 at{0};          // its left and top in the sheet; equal sprites share a place
     glm::ivec2 size{1};        // of what is kept; one transparent pixel where nothing is seen
     glm::ivec2 inCell{0};      // where that lies in the cell
-    glm::dvec2 anchorPx{0.0};  // cell space, continuous: its whole part is the same in all
+    glm::dvec2 anchorPx{0.0};  // cell space, continuous: floor(anchorPx + 1/4) is anchorPixel
     std::vector<SheetSocket> sockets;
 };
 
@@ -64,7 +64,7 @@ struct Sheet {
     std::vector<SheetSprite> sprites;
     std::vector<SheetPicture> pictures;  // the first is that of the sprites
     glm::ivec2 cellPx{0};
-    glm::ivec2 anchorPixel{0};      // of the cell
+    glm::ivec2 anchorPixel{0};      // of the cell; the same in all sprites
     double metresPerPx = 0.025;     // width of a virtual pixel
     double depthRangeMetres = 0.0;  // grey 255 is so far before the model's centre, 0 behind it
 };
