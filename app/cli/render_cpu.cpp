@@ -28,6 +28,7 @@ Image compositeSprite(const Shot& shot, const SpriteBuffer& buffer) {
 Image perspectiveImage(const Shot& shot) {
     const glm::dmat3 voxelFromWorldAxes = glm::transpose(shot.placed.worldFromVoxelAxes);
     const OctreeView octree = shot.octree.view();
+    const RaycastOptions depth{.maxDepth = shot.octreeDepth};
     const FaceShader faces(octree, faceLights({}, voxelFromWorldAxes, shot.profile.light).rays);
     const VoxelPlacement placement = voxelPlacement(shot.placed);
     Image image(shot.camera.viewportPx.x, shot.camera.viewportPx.y, shot.background);
@@ -38,7 +39,8 @@ Image perspectiveImage(const Shot& shot) {
             for (int x = 0; x < image.width; ++x) {
                 const Camera::Ray ray = shot.camera.rayThrough(glm::dvec2(x, y) + 0.5);
                 const glm::dvec3 direction = voxelFromWorldAxes * ray.direction;
-                const RaycastHit hit = raycast(octree, placement, {ray.origin, ray.direction});
+                const RaycastHit hit =
+                    raycast(octree, placement, {ray.origin, ray.direction}, depth);
                 if (!hit.hit) continue;
                 const glm::dvec3 fromEye =
                     ray.origin - shot.camera.eyeMetres + ray.direction * hit.t;
@@ -46,8 +48,8 @@ Image perspectiveImage(const Shot& shot) {
                     shot.camera.reversedDepth(glm::dot(fromEye, shot.camera.forward));
                 const FaceLights lights = faceLights(glm::ivec3(glm::sign(direction)),
                                                      voxelFromWorldAxes, shot.profile.light);
-                const FaceShade shade =
-                    faces.shadeOf({hit.voxel, hit.axis, direction[hit.axis] < 0.0 ? 1 : -1});
+                const int side = direction[hit.axis] < 0.0 ? 1 : -1;
+                const FaceShade shade = faces.shadeOf({hit.voxel, hit.axis, side});
                 const std::uint8_t light8 = lights.of(hit.axis, shade);
                 image.at(x, y) = shader.inLight(light8, shot.profile.shading)[hit.value];
             }
