@@ -131,7 +131,7 @@ class Builder {
         }
     }
 
-    [[nodiscard]] Result<ClusterMesh> assemble(const std::vector<std::vector<Brick>>& levels) {
+    [[nodiscard]] Result<ClusterMesh> assemble(std::vector<std::vector<Brick>>& levels) {
         std::uint64_t vertexCount = 0;
         std::size_t pageCount = 0;
         for (const std::vector<Brick>& bricks : levels) {
@@ -147,14 +147,15 @@ class Builder {
         mesh_.pages.reserve(pageCount);
         mesh_.pageLevels.reserve(pageCount);
         for (int level = 0; level <= octree_.maxDepth; ++level) {
-            const std::vector<Brick>& bricks = levels[static_cast<std::size_t>(level)];
+            std::vector<Brick>& bricks = levels[static_cast<std::size_t>(level)];
             ClusterLevel summary;
             summary.firstPage = static_cast<std::uint32_t>(mesh_.pages.size());
             summary.pageCount = static_cast<std::uint32_t>(bricks.size());
             summary.errorVoxels = levelError(level);
-            for (const Brick& brick : bricks) {
+            for (Brick& brick : bricks) {
                 summary.quadCount += static_cast<std::uint32_t>(brick.vertices.size() / 4);
                 addPage(brick, level);
+                brick.vertices = {};  // large meshes are not held twice
             }
             mesh_.levels.push_back(summary);
         }

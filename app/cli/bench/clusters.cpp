@@ -6,6 +6,7 @@
 
 #include "app/cli/bench/bench.h"
 #include "app/cli/bench/cluster_frames.h"
+#include "app/cli/stopwatch.h"
 #include "core/lod/cluster_cut.h"
 #include "core/lod/cluster_mesh.h"
 #include "core/measure/mask.h"
@@ -20,7 +21,9 @@ namespace {
 
 constexpr glm::ivec2 kFramePx{512, 512};
 constexpr double kFovDegrees = 45.0;
-constexpr int kMostOverhangPx = 64;  // what is searched
+constexpr double kLastingMs = 1000.0;  // longer builds are measured less often
+constexpr std::uint64_t kMostDrawnBytes = std::uint64_t{1} << 28;  // larger ones are only built
+constexpr int kMostOverhangPx = 64;                                // what is searched
 
 Json buildFigure(const BenchModel& model, const ClusterMesh& mesh, int threads, double ms) {
     return {{"model", model.name},
@@ -138,16 +141,18 @@ Result<Json> benchClusters(const std::vector<BenchModel>& models, const Effort& 
     if (!renderer) return Failure(renderer.error());
     for (const BenchModel& model : models) {
         progress(effort, "clusters: " + model.name);
-        const Result<ClusterMesh> mesh = buildClusters(model.octree.view());
+        const cli::Stopwatch watch;
+        const Result<ClusterMesh> mesh = buildClusters(model.octree.view(), {.threads = 1});
         if (!mesh) return Failure(mesh.error());
+        const bool lasting = watch.milliseconds() > kLastingMs;
         for (const int threads : {1, 0}) {
-            const double ms = medianMs(effort, [&] {
+            const double ms = medianMs(Effort{effort.quick || lasting}, [&] {
                 static_cast<void>(buildClusters(model.octree.view(), {.threads = threads}));
             });
             figures.push_back(buildFigure(model, *mesh, threads, ms));
         }
         levelFigures(model, *mesh, figures);
-        if (mesh->pages.empty()) continue;
+        if (mesh->pages.empty() || mesh->bytes() > kMostDrawnBytes) continue;
         if (Status ok = budgetFigures(*renderer, model, *mesh, figures); !ok)
             return Failure(ok.error());
     }
