@@ -31,6 +31,9 @@ struct BenchModel {
 [[nodiscard]] Result<std::vector<BenchModel>> benchModels(bool quick,
                                                           const std::filesystem::path& corpus);
 
+// A hollow ball, one voxel thick: "shell128".
+[[nodiscard]] Result<BenchModel> shellModel(int size);
+
 struct Effort {
     bool quick = false;
     [[nodiscard]] double budgetMs() const { return quick ? 20.0 : 300.0; }

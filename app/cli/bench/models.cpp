@@ -101,6 +101,10 @@ std::optional<BenchModel> loaded(const std::string& name, const fs::path& path) 
 
 }  // namespace
 
+Result<BenchModel> shellModel(int size) {
+    return made("shell" + std::to_string(size), ball(size, size / 2.0 - 1.0));
+}
+
 Result<std::vector<BenchModel>> benchModels(bool quick, const std::filesystem::path& corpus) {
     std::vector<BenchModel> models;
     const auto addMade = [&](const std::string& name, VoxelGrid voxels) -> Status {
