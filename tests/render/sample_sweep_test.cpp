@@ -3,7 +3,9 @@
 //
 // Run as part of the suite, each view meets the next of the six sigmas and the next frame (and the
 // largest sample, whose sprites have millions of pixels, only some of the views). With
-// VOXPRITE_SWEEP=full in the environment every view meets every sigma (`./dev sweep`: long).
+// VOXPRITE_SWEEP=full in the environment every view meets every sigma; one in twenty with
+// occlusion and shadows (`./dev sweep`: long).
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <string_view>
@@ -20,6 +22,9 @@ namespace {
 using test::must;
 
 const std::vector<double> kSigmas{1.0, 2.0, 3.0, 4.0, 7.5, 16.0};
+
+constexpr std::size_t kShadedEvery = 20;
+constexpr double kShadedSigma = 2.0;  // at most, as part of the suite
 
 struct Sample {
     const char* file;
@@ -47,7 +52,9 @@ TEST_P(SampleSweep, AllWaysGiveTheSameSpriteBuffer) {
         frames[f].gpu.upload(frames[f].octree.view());
     }
     SceneRenderer renderer = must(SceneRenderer::create());
-    const LitPalette lit = litPalette(document.palette, {255, 190, 120}, Outline{});
+    const std::array<LitPalette, 2> lights{
+        litPalette(document.palette, {255, 190, 120}, Outline{}),
+        litPalette(document.palette, test::shadedLights({0.4, -0.6, 0.8}), Outline{})};
 
     const char* sweep = std::getenv("VOXPRITE_SWEEP");
     const bool full = sweep != nullptr && std::string_view(sweep) == "full";
@@ -61,6 +68,8 @@ TEST_P(SampleSweep, AllWaysGiveTheSameSpriteBuffer) {
             const double sigma = kSigmas[next++ % kSigmas.size()];
             const LatticeView lattice =
                 must(quantiseView(test::orthoView(angles, sigma), frame.octree.size));
+            const bool shaded = v % kShadedEvery == 0 && (full || sigma <= kShadedSigma);
+            const LitPalette& lit = lights[shaded ? 1 : 0];
             const SpriteBuffer cpu = castSprite(frame.octree.view(), lattice, lit);
             opaque += cpu.opaqueCount();
             for (const SpriteMode mode : {SpriteMode::spriteBuffer, SpriteMode::singlePass}) {

@@ -103,6 +103,34 @@ TEST_F(SpriteBuffers, ShadingWithinThePalette) {
     compareViews(test::asymmetric(), "asymmetric", allKindsOfViews(4, 6), {4.0});
 }
 
+// Faces that cast rays of their own: toward lights along axes and diagonals, where rays meet edges
+// and corners, and anywhere; alone and together.
+TEST_F(SpriteBuffers, OcclusionAndShadows) {
+    test::Random random(77);
+    const VoxelGrid models[] = {test::asymmetric(), test::randomVoxels(9, {12, 12, 12}, 0.3, 255)};
+    std::uint64_t seed = 50;
+    for (const VoxelGrid& voxels : models) {
+        for (const glm::dvec3 toward :
+             {glm::dvec3(0, 0, 1), glm::dvec3(-1, 1, 1), glm::dvec3(1, 0, 1),
+              glm::dvec3(random.voxel(-999, 999)), glm::dvec3(random.voxel(-999, 999))}) {
+            FaceLights lights = test::shadedLights(toward);
+            if (seed % 4 == 1) lights.rays.occlusion = false;
+            if (seed % 4 == 2) lights.rays.towardLight = glm::ivec3(0);
+            lit_ = litPalette(Palette::standard(), lights, Outline{});
+            ASSERT_EQ(lit_.faces.size(), lights.rays.shadows() ? 24U : 12U);
+            std::vector<OrbitAngles> views = allKindsOfViews(2, seed);
+            views.erase(views.begin(), views.end() - 4);  // one of them from below
+            compareViews(voxels, "shaded " + std::to_string(seed), views, {2.0, 1.0, 0.5});
+            ++seed;
+        }
+    }
+    EXPECT_EQ(narrow_, 40);
+    // Fine lattices of large models: the wide path asks the same of a face.
+    lit_ = litPalette(Palette::standard(), test::shadedLights({1.0, -2.0, 1.5}), Outline{});
+    compareViews(scattered(4, {600, 200, 280}, 60), "wide", {{33.0, 21.0, 0.0}}, {0.5, 0.25});
+    EXPECT_EQ(wide_, 1);
+}
+
 TEST_F(SpriteBuffers, AsymmetricModelFromEverywhere) {
     compareViews(test::asymmetric(), "asymmetric", allKindsOfViews(40, 1), kSigmas);
     EXPECT_GE(narrow_, 88);

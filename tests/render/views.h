@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/sprite/camera.h"
+#include "core/sprite/lit_palette.h"
 #include "tests/support/random.h"
 
 namespace voxprite::test {
@@ -25,6 +26,15 @@ namespace voxprite::test {
                          i % 3 == 0 ? 360.0 * random.unit() : 0.0});
     }
     return views;
+}
+
+// Lights of faces that cast all rays there are, shadows toward `towardLight` in voxel space.
+[[nodiscard]] inline FaceLights shadedLights(glm::dvec3 towardLight) {
+    FaceLights lights(255, 190, 120);
+    lights.shadowed = {140, 120, 90};
+    lights.occlusion = 200;
+    lights.rays = {true, shadowDirection(towardLight)};
+    return lights;
 }
 
 }  // namespace voxprite::test

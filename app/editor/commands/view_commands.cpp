@@ -59,6 +59,15 @@ constexpr Command switchCommand(Command command) {
     return command;
 }
 
+template <VoxelOcclusion kind>
+constexpr Command occlusionCommand(Command command) {
+    command.menu = MenuId::view;
+    command.group = "Show";
+    command.run = [](CommandContext& c) { c.settings.view.occlusion = kind; };
+    command.on = [](const CommandContext& c) { return c.settings.view.occlusion == kind; };
+    return command;
+}
+
 constexpr Command ungrouped(Command command) {
     command.group = "";
     return command;
@@ -158,8 +167,12 @@ std::span<const Command> viewCommands() {
             {.id = toggleEditGround, .tag = "edit_ground", .name = "Grid under the model"}),
         switchCommand<&ViewSettings::boundsBox>(
             {.id = toggleBounds, .tag = "bounds", .name = "Box around the model"}),
-        switchCommand<&ViewSettings::occlusion>(
-            {.id = toggleOcclusion, .tag = "occlusion", .name = "Soft shade in corners"}),
+        occlusionCommand<VoxelOcclusion::off>(
+            {.id = occlusionOff, .tag = "occlusion_off", .name = "No shade between voxels"}),
+        occlusionCommand<VoxelOcclusion::corners>(
+            {.id = occlusionCorners, .tag = "occlusion_corners", .name = "Shade in corners"}),
+        occlusionCommand<VoxelOcclusion::rays>(
+            {.id = occlusionRays, .tag = "occlusion_rays", .name = "Shade by short rays"}),
         switchCommand<&ViewSettings::sunShadow>(
             {.id = toggleSunShadow, .tag = "sun_shadow", .name = "Shadows in the edit view"}),
         switchCommand<&ViewSettings::proxyBox>({.id = toggleProxyBox,

@@ -165,6 +165,12 @@ void lightSection(Ui& ui, GameProfile& profile) {
         profile.light.towardLight = towardLight;
     }
     static_cast<void>(enumRow(ui, "inspector.shading", "Shading", profile.shading, kShadings));
+    static_cast<void>(numberRow(ui, "inspector.occlusion", "Occlusion", profile.light.occlusion,
+                                {0.0, 1.0, 0.005, "%.2f"},
+                                "How dark faces get that voxels stand around; 0 is off"));
+    static_cast<void>(numberRow(ui, "inspector.shadow", "Shadow", profile.light.shadow,
+                                {0.0, 1.0, 0.005, "%.2f"},
+                                "How much light faces lose that lie in shadow; 0 is off"));
 }
 
 }  // namespace

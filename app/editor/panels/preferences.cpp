@@ -18,6 +18,9 @@ constexpr std::array kBackdrops{
     Choice{"Theme", "As the rest of the window"}, Choice{"Black", "Behind the voxels: black"},
     Choice{"Grey", "Behind the voxels: middle grey"}, Choice{"White", "Behind the voxels: white"},
     Choice{"Sky", "Behind the voxels: a sky"}};
+constexpr std::array kOcclusions{
+    Choice{"Off", "No shade between voxels"}, Choice{"Corners", "Shade where voxels meet"},
+    Choice{"Rays", "Shade by short rays: it sees farther, and costs more"}};
 constexpr std::array kNavigations{
     Choice{"MagicaVoxel", "Right: orbit. Middle, or Space and left: pan. Wheel: zoom"},
     Choice{"Blender", "Middle: orbit, with Shift: pan, with Ctrl: zoom. Wheel: zoom"},
@@ -123,10 +126,10 @@ void Preferences::drawGeneral(Ui& ui) {
     static_cast<void>(switchRow(ui, "preferences.edges", "Voxel edges", view.voxelEdges));
     ImGui::SameLine(middle);
     static_cast<void>(switchRow(ui, "preferences.grid", "Grid", view.editGround));
-    static_cast<void>(switchRow(ui, "preferences.occlusion", "Corner shade", view.occlusion));
-    ImGui::SameLine(middle);
     static_cast<void>(switchRow(ui, "preferences.sunShadow", "Shadows", view.sunShadow));
+    ImGui::SameLine(middle);
     static_cast<void>(switchRow(ui, "preferences.bounds", "Bounds", view.boundsBox));
+    static_cast<void>(enumRow(ui, "preferences.occlusion", "Shade", view.occlusion, kOcclusions));
     ImGui::Dummy(ui.theme.px(0, 6));
     valueRow(ui, "preferences.history", "Undo memory", window.historyMegabytes, kMemories,
              kMemoryChoices);

@@ -14,6 +14,7 @@
 #include "app/editor/window/theme.h"
 #include "core/base/result.h"
 #include "core/edit/patches.h"
+#include "render/voxel_occlusion.h"
 
 namespace voxprite::editor {
 
@@ -70,7 +71,7 @@ struct ViewSettings {
     bool voxelEdges = true;
     bool editGround = true;
     bool boundsBox = false;
-    bool occlusion = true;
+    VoxelOcclusion occlusion = VoxelOcclusion::corners;
     bool sunShadow = false;  // in the edit view
     Backdrop backdrop = Backdrop::theme;
     bool proxyBox = true;

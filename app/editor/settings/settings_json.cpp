@@ -71,7 +71,7 @@ void describe(Archive archive, ViewSettings& view) {
     archive.field("voxel_edges", view.voxelEdges);
     archive.field("edit_ground", view.editGround);
     archive.field("bounds_box", view.boundsBox);
-    archive.field("occlusion", view.occlusion);
+    archive.choice("occlusion", view.occlusion, VoxelOcclusion::rays);
     archive.field("sun_shadow", view.sunShadow);
     archive.choice("backdrop", view.backdrop, Backdrop::sky);
     archive.field("proxy_box", view.proxyBox);
