@@ -126,18 +126,46 @@ class Coarsener {
         for (const std::uint32_t beside : hood.beside) buried = buried && node::isUniform(beside);
         if (buried) {
             all_.add(static_cast<std::uint8_t>(hood.word), std::uint64_t{1} << (3 * log2Edge));
-        } else if (log2Edge == 0) {
-            const auto openFaces = std::count(hood.beside.begin(), hood.beside.end(), 0u);
-            all_.add(static_cast<std::uint8_t>(hood.word), 1);
-            if (openFaces > 0) {
-                exposed_.add(static_cast<std::uint8_t>(hood.word),
-                             static_cast<std::uint64_t>(openFaces));
-            }
+        } else if (log2Edge == 1) {
+            countBrick(hood);
         } else {
             for (unsigned octant = 0; octant < 8; ++octant) {
                 count(childHood(hood, octant), log2Edge - 1);
             }
         }
+    }
+
+    // Two voxels an edge; sets of octants are bits.
+    void countBrick(const Hood& hood) {
+        constexpr std::array<unsigned, 3> kLower{0x55, 0x33, 0x0F};  // of each axis
+        const unsigned solid = solids(hood.word);
+        std::array<unsigned, 6> open{};
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            const unsigned lower = kLower[axis];
+            const unsigned step = 1u << axis;
+            const unsigned before = solids(hood.beside[2 * axis]);
+            const unsigned behind = solids(hood.beside[2 * axis + 1]);
+            open[2 * axis] = solid & ~((solid & lower) << step | (before >> step & lower));
+            open[2 * axis + 1] = solid & ~((solid >> step & lower) | (behind & lower) << step);
+        }
+        for (unsigned octant = 0; octant < 8; ++octant) {
+            if ((solid >> octant & 1u) == 0) continue;
+            const auto material = static_cast<std::uint8_t>(child(hood.word, octant));
+            unsigned openFaces = 0;
+            for (const unsigned face : open) openFaces += face >> octant & 1u;
+            all_.add(material, 1);
+            if (openFaces > 0) exposed_.add(material, openFaces);
+        }
+    }
+
+    // The solid octants of a brick.
+    [[nodiscard]] unsigned solids(std::uint32_t word) const {
+        if (!node::isBrick(word)) return node::isEmpty(word) ? 0u : 0xFFu;
+        unsigned solid = 0;
+        for (unsigned octant = 0; octant < 8; ++octant) {
+            if (child(word, octant) != 0) solid |= 1u << octant;
+        }
+        return solid;
     }
 
     const OctreeView& source_;
