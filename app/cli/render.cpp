@@ -128,6 +128,7 @@ std::string describe(const RenderOptions& options, const Shot& shot, const Drawn
         text += line;
     }
     if (!drawn.buffer) return text;
+    if (drawn.snapshots && shot.snapshots.kind == SnapshotKind::seed) return text;
     char line[256];
     std::snprintf(line, sizeof line,
                   "sprite %d x %d, %llu opaque, %llu outline, sigma in force %g%s\n",

@@ -5,6 +5,8 @@
 
 #include "app/cli/command.h"
 #include "app/cli/conformance/conformance.h"
+#include "app/cli/conformance/representations.h"
+#include "app/cli/conformance/snapshots.h"
 #include "app/cli/conformance/stability.h"
 #include "app/cli/conformance/temporal.h"
 #include "app/cli/source.h"
@@ -20,6 +22,8 @@ struct Options {
     bool conformance = false;
     bool stability = false;
     bool temporal = false;
+    bool representations = false;
+    bool snapshots = false;
     bool markdown = false;
     [[nodiscard]] TableStyle style() const {
         return markdown ? TableStyle::markdown : TableStyle::plain;
@@ -45,12 +49,7 @@ void addConformance(const Options& options, Report& report, std::vector<std::str
                            {"held", one.held()}});
         if (!one.held()) broken.push_back("row " + std::to_string(one.row) + ", " + one.key);
     }
-    report.text += textOf(rows, options.style()) + '\n';
-    Json& leftOut = report.json["left_out"] = Json::array();
-    for (const conformance::LeftOut& row : conformance::rowsLeftOut()) {
-        leftOut.push_back({{"row", row.row}, {"why", row.why}});
-        report.text += "Row " + std::to_string(row.row) + " is left out: " + row.why + ".\n";
-    }
+    report.text += textOf(rows, options.style());
 }
 
 // The figures of one sweep: a row each, its name and counts before the first.
@@ -141,9 +140,74 @@ Status addTemporal(const Options& options, Report& report) {
     return {};
 }
 
+// Error and cost, a column a size.
+Status addRepresentations(const Options& options, Report& report) {
+    const auto models = turningModels(options.files);
+    if (!models) return Failure(models.error());
+    const std::vector<double> sizesPx{4, 8, 16, 32, 64, 128};
+    const auto all = conformance::measureRepresentationRows(*models, sizesPx, 8);
+    if (!all) return Failure(all.error());
+    std::vector<std::vector<std::string>> rows{{"model", "drawn by"}};
+    for (const double sizePx : sizesPx) rows.front().push_back(textOf(2.0 * sizePx) + " px high");
+    Json& figures = report.json["representations"] = Json::array();
+    for (const conformance::RepresentationRow& one : *all) {
+        std::vector<std::string>& row = rows.emplace_back();
+        row = {one.model, one.name};
+        Json bySize = Json::array();
+        for (const RepresentationFigures::AtSize& at : one.figures.bySize) {
+            const bool exact = one.figures.choice.kind == Representation::sprite;
+            row.push_back((exact ? "" : textOf(std::round(1000.0 * at.error) / 10.0) + " %, ") +
+                          textOf(std::round(at.microseconds)) + " µs");
+            bySize.push_back(
+                {{"radius_px", at.sizePx}, {"error", at.error}, {"us", at.microseconds}});
+        }
+        figures.push_back({{"model", one.model}, {"drawn_by", one.name}, {"sizes", bySize}});
+    }
+    report.text += textOf(rows, options.style());
+    return {};
+}
+
+Status addSnapshots(const Options& options, Report& report) {
+    const auto models = turningModels(options.files);
+    if (!models) return Failure(models.error());
+    const auto rounded = [](double value) { return textOf(std::round(10.0 * value) / 10.0); };
+    std::vector<std::vector<std::string>> rows{{"kind", "views", "degrees off"}};
+    for (const double screenPx : conformance::kSnapshotDistances)
+        rows.front().push_back(textOf(screenPx) + " px a virtual pixel");
+    rows.front().insert(rows.front().end(), {"MiB", "ms"});
+    Json& figures = report.json["snapshots"] = Json::array();
+    for (const conformance::SnapshotFigures& one : conformance::measureSnapshots(*models)) {
+        std::vector<std::string>& row = rows.emplace_back();
+        row = {one.kind, one.set, rounded(one.meanDegreesOff)};
+        Json byDistance = Json::array();
+        for (const conformance::SnapshotFigures::Unlike& unlike : one.unlike) {
+            const bool voxels = std::isfinite(unlike.voxels);
+            row.push_back(textOf(std::round(1000.0 * unlike.flip) / 1000.0) + ", " +
+                          rounded(unlike.silhouette) + " %" +
+                          (voxels ? ", " + rounded(unlike.voxels) + " %" : ""));
+            byDistance.push_back({{"flip", unlike.flip},
+                                  {"silhouette", unlike.silhouette},
+                                  {"voxels", voxels ? Json(unlike.voxels) : Json(nullptr)}});
+        }
+        row.push_back(rounded(one.bytes / (1 << 20)));
+        row.push_back(textOf(std::round(one.milliseconds)));
+        figures.push_back({{"kind", one.kind},
+                           {"view_set", one.set},
+                           {"views", one.views},
+                           {"degrees_off", one.meanDegreesOff},
+                           {"distances", std::move(byDistance)},
+                           {"bytes", one.bytes},
+                           {"ms", one.milliseconds}});
+    }
+    report.text += textOf(rows, options.style());
+    return {};
+}
+
 Result<Report> runTrade(const Options& options) {
-    if (!options.files.empty() && !options.temporal) {
-        throw CLI::ValidationError("FILES", "are for --temporal");
+    if (!options.files.empty() && !options.temporal && !options.representations &&
+        !options.snapshots) {
+        throw CLI::ValidationError("FILES",
+                                   "are for --temporal, --representations and --snapshots");
     }
     Report report;
     std::vector<std::string> broken;
@@ -151,6 +215,14 @@ Result<Report> runTrade(const Options& options) {
     if (options.stability) addStability(options, report, broken);
     if (options.temporal) {
         if (Status status = addTemporal(options, report); !status) return Failure(status.error());
+    }
+    if (options.snapshots) {
+        if (Status status = addSnapshots(options, report); !status) return Failure(status.error());
+    }
+    if (options.representations) {
+        if (Status status = addRepresentations(options, report); !status) {
+            return Failure(status.error());
+        }
     }
     if (!broken.empty()) {
         std::string message = "not held: ";
@@ -172,9 +244,14 @@ void addTrade(CLI::App& app, Command& command) {
                      "Views, sizes, places and inputs at their extremes, against what is promised");
     figures.add_flag("--temporal", options->temporal,
                      "Pixels that change while the camera turns slowly, for several view steps");
+    figures.add_flag("--representations", options->representations,
+                     "Error and cost of what stands for a sprite, by size on the screen");
+    figures.add_flag("--snapshots", options->snapshots,
+                     "Snapshots against the exact sprite, by their views and by distance");
     figures.require_option(1, 0);
     sub.add_option("FILES", options->files,
-                   "Models to turn with --temporal (else some made for the purpose)");
+                   "Models for --temporal, --representations and --snapshots (else some made for "
+                   "the purpose)");
     sub.add_flag("--markdown", options->markdown, "Tables as Markdown");
     addJsonFlag(sub, command);
     runs(sub, command, options, runTrade);

@@ -169,7 +169,7 @@ Result<SeenSnapshots> seeSnapshots(const PlacedEntity& entity, const Camera& cam
     const glm::dmat3 screen(camera.right, camera.up, camera.forward);
     for (const auto& [view, weight] : wanted) {
         const glm::dmat3 axes = views.roll == SnapshotRoll::matched
-                                    ? rolledToMatch(screen, trueAxes, views.axes(view))
+                                    ? rolledToMatch(screen, trueAxes, views.axes(view), size)
                                     : screen;
         plane.right = axes[0];
         plane.up = axes[1];

@@ -88,15 +88,15 @@ glm::dvec2 pixelFromCentreOf(const OrthoView& ortho, const PlacedEntity& entity)
 }
 
 // The nearest view of the set instead of `seen`, and the plane turned to match it.
-void snapToSet(const ViewSet& views, SpriteView& view, glm::dmat3& plane, glm::dmat3& seen,
-               ViewHistory* history) {
+void snapToSet(const ViewSet& views, glm::ivec3 size, SpriteView& view, glm::dmat3& plane,
+               glm::dmat3& seen, ViewHistory* history) {
     const std::optional<int> before = history != nullptr ? history->viewOfSet : std::nullopt;
     const int nearest = *views.nearest(-seen[2], before);  // the axes are finite
     if (history != nullptr) history->viewOfSet = nearest;
     const glm::dmat3 shown = views.axes(nearest);
     view.viewOfSet = nearest;
     view.degreesOff = glm::degrees(angleBetween(shown[2], seen[2]));
-    if (views.roll == SnapshotRoll::matched) plane = rolledToMatch(plane, seen, shown);
+    if (views.roll == SnapshotRoll::matched) plane = rolledToMatch(plane, seen, shown, size);
     seen = shown;
 }
 
@@ -118,7 +118,7 @@ Result<SpriteView> makeView(const PlacedEntity& entity, const Camera& camera,
     const glm::dmat3 voxelFromWorldAxes = glm::transpose(entity.worldFromVoxelAxes);
     glm::dmat3 seen = voxelFromWorldAxes * plane;
     if (views != nullptr)
-        snapToSet(*views, view, plane, seen, history);
+        snapToSet(*views, entity.modelSize, view, plane, seen, history);
     else if (profile.viewStepDegrees >= kLeastViewStep)
         seen = snapAxes(seen, profile.viewStepDegrees, history);
     view.right = plane[0];

@@ -112,13 +112,18 @@ glm::dmat3 snapAxes(const glm::dmat3& voxelAxes, double stepDegrees, ViewHistory
     return voxelAxesOf({degreesOf(steps.x), degreesOf(steps.y), degreesOf(steps.z)});
 }
 
-glm::dmat3 rolledToMatch(const glm::dmat3& plane, const glm::dmat3& seen, const glm::dmat3& shown) {
-    // Procrustes in the plane: the mean of the products of drawn and true places (Kabsch 1976).
-    const double sine = glm::dot(shown[0], seen[1]) - glm::dot(shown[1], seen[0]);
-    const double cosine = glm::dot(shown[0], seen[0]) + glm::dot(shown[1], seen[1]);
+glm::dmat3 rolledToMatch(const glm::dmat3& plane, const glm::dmat3& seen, const glm::dmat3& shown,
+                         glm::ivec3 boxSize) {
+    // Procrustes in the plane (Kabsch 1976), from the second moments of the box: its axes are
+    // independent, each with the square of its edge.
+    const glm::dvec3 edges(boxSize);
+    const glm::dvec3 right = shown[0] * edges * edges;
+    const glm::dvec3 up = shown[1] * edges * edges;
+    const double sine = glm::dot(right, seen[1]) - glm::dot(up, seen[0]);
+    const double cosine = glm::dot(right, seen[0]) + glm::dot(up, seen[1]);
     const double size = std::hypot(sine, cosine);
     constexpr double kSame = 1e-9;
-    if (!(size > kSame) || (std::abs(sine) < kSame * size && cosine > 0.0)) return plane;
+    if (!(size > 0.0) || (std::abs(sine) < kSame * size && cosine > 0.0)) return plane;
     const double s = sine / size;
     const double c = cosine / size;
     return {plane[0] * c + plane[1] * s, plane[1] * c - plane[0] * s, plane[2]};

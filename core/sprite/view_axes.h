@@ -33,10 +33,11 @@ inline constexpr double kUsualViewStepDegrees = 2.5;
 
 // How a picture is to be turned in its plane when it shows the model along `shown` where `seen`
 // (both right, up and forward in voxel space) would be right: `plane` turned about its forward so
-// that the points of a ball around the model's centre come to lie, by the sum of squares, as near
-// to their true places as they can. Where the two views agree the plane is returned as it is.
+// that the points of the model's box, of `size` voxels, come to lie, by the sum of squares, as near
+// to their true places as they can. So what is tall stays upright. Where the two views agree the
+// plane is returned as it is.
 [[nodiscard]] glm::dmat3 rolledToMatch(const glm::dmat3& plane, const glm::dmat3& seen,
-                                       const glm::dmat3& shown);
+                                       const glm::dmat3& shown, glm::ivec3 size);
 
 // In radians, between unit vectors; precise for small angles too.
 [[nodiscard]] double angleBetween(glm::dvec3 a, glm::dvec3 b);

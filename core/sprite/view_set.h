@@ -28,7 +28,7 @@ namespace voxprite {
 
 // How a view's picture is turned in the plane that it is drawn in.
 enum class SnapshotRoll : std::uint8_t {
-    matched,  // so that the model's points lie as near as possible to their true places
+    matched,  // so that the model's points lie near their true places, see rolledToMatch
     own       // not at all: upright wherever the camera is, and off by any angle near the poles
 };
 

@@ -12,13 +12,10 @@ std::vector<Comparison> compareReadings() {
     compareScreen(all);
     compareDepth(all);
     compareClusters(all);
+    compareSnapshots(all);
     std::stable_sort(all.begin(), all.end(),
                      [](const Comparison& a, const Comparison& b) { return a.row < b.row; });
     return all;
-}
-
-std::vector<LeftOut> rowsLeftOut() {
-    return {{18, "the snapshot cache is not built yet"}};
 }
 
 }  // namespace voxprite::conformance

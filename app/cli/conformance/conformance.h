@@ -21,21 +21,15 @@ struct Comparison {
     [[nodiscard]] bool held() const { return ours <= promised && literal > promised; }
 };
 
-// Rows that need features which do not exist yet.
-struct LeftOut {
-    int row = 0;
-    std::string why;
-};
-
 [[nodiscard]] std::vector<Comparison> compareReadings();
-[[nodiscard]] std::vector<LeftOut> rowsLeftOut();
 
 using Comparisons = std::vector<Comparison>;
-void comparePlace(Comparisons& all);     // rows 1, 2, 3, 5, 6, 14: where and how large it stands
-void compareView(Comparisons& all);      // rows 4, 13: from which way it is seen
-void comparePixels(Comparisons& all);    // rows 8, 9, 16: which voxel a pixel shows
-void compareScreen(Comparisons& all);    // rows 7, 12, 15: what reaches the screen, and its cost
-void compareDepth(Comparisons& all);     // rows 10, 11, 19: depth and large worlds
-void compareClusters(Comparisons& all);  // row 17: which clusters stand for a surface
+void comparePlace(Comparisons& all);      // rows 1, 2, 3, 5, 6, 14: where and how large it stands
+void compareView(Comparisons& all);       // rows 4, 13: from which way it is seen
+void comparePixels(Comparisons& all);     // rows 8, 9, 16: which voxel a pixel shows
+void compareScreen(Comparisons& all);     // rows 7, 12, 15: what reaches the screen, and its cost
+void compareDepth(Comparisons& all);      // rows 10, 11, 19: depth and large worlds
+void compareClusters(Comparisons& all);   // row 17: which clusters stand for a surface
+void compareSnapshots(Comparisons& all);  // row 18: how a model looks from its snapshots
 
 }  // namespace voxprite::conformance
