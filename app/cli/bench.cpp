@@ -13,8 +13,8 @@
 namespace voxprite::cli {
 namespace {
 
-constexpr std::array<const char*, 7> kParts{"cast",     "bake",    "update", "frame",
-                                            "clusters", "latency", "files"};
+constexpr std::array<const char*, 8> kParts{"cast",  "raycast",  "bake",    "update",
+                                            "frame", "clusters", "latency", "files"};
 
 struct Options {
     std::vector<std::string> only;
@@ -68,19 +68,21 @@ Result<Report> runBench(const Options& options) {
     Result<gl::HeadlessContext> context = gl::HeadlessContext::create();
     if (context) {
         report.json["machine"]["gl"] = gl::driverInfo().renderer + ", " + gl::driverInfo().version;
-    } else if (wanted("frame") || wanted("clusters") || wanted("latency")) {
+    } else if (wanted("raycast") || wanted("frame") || wanted("clusters") || wanted("latency")) {
         return Failure(context.error());
     }
     using Part = Result<Json> (*)(const std::vector<bench::BenchModel>&, const bench::Effort&);
     constexpr std::array<Part, kParts.size()> run{
-        bench::benchCast,     bench::benchBake,    bench::benchUpdate, bench::benchFrame,
-        bench::benchClusters, bench::benchLatency, bench::benchFiles};
+        bench::benchCast,  bench::benchRaycast,  bench::benchBake,    bench::benchUpdate,
+        bench::benchFrame, bench::benchClusters, bench::benchLatency, bench::benchFiles};
     for (std::size_t k = 0; k < kParts.size(); ++k) {
         if (!wanted(kParts[k])) continue;
         Result<Json> figures = run[k](*models, effort);
         if (!figures) return Failure(figures.error());
         report.json[kParts[k]] = std::move(*figures);
     }
+    if (options.markdown && report.json.contains("raycast"))
+        report.text += bench::raycastTable(report.json["raycast"]);
     if (options.markdown && report.json.contains("frame"))
         report.text += bench::frameTables(report.json["frame"]);
     if (options.markdown && report.json.contains("clusters"))
@@ -95,7 +97,7 @@ void addBench(CLI::App& app, Command& command) {
     CLI::App& sub = *app.add_subcommand("bench", "Measure this machine");
     auto options = std::make_shared<Options>();
     sub.add_option("--only", options->only,
-                   "Only these parts: cast, bake, update, frame, clusters, latency, files")
+                   "Only these parts: cast, raycast, bake, update, frame, clusters, latency, files")
         ->delimiter(',')
         ->check(CLI::IsMember(std::vector<std::string>(kParts.begin(), kParts.end())))
         ->type_name("PART,...");
@@ -103,7 +105,8 @@ void addBench(CLI::App& app, Command& command) {
     sub.add_option("--corpus", options->corpus,
                    "A folder of real models beside the samples (else VOXPRITE_CORPUS)")
         ->type_name("DIR");
-    sub.add_flag("--markdown", options->markdown, "Frames and clusters as tables in Markdown");
+    sub.add_flag("--markdown", options->markdown,
+                 "Rays, frames and clusters as tables in Markdown");
     addJsonFlag(sub, command);
     runs(sub, command, options, runBench);
 }

@@ -33,6 +33,8 @@ struct BenchModel {
 
 // A hollow ball, one voxel thick: "shell128".
 [[nodiscard]] Result<BenchModel> shellModel(int size);
+// One voxel in 64 is solid, anywhere: "random512".
+[[nodiscard]] Result<BenchModel> scatteredModel(int size);
 
 struct Effort {
     bool quick = false;
@@ -64,6 +66,9 @@ void progress(const Effort& effort, const std::string& what);
 [[nodiscard]] Result<Json> benchFrame(const std::vector<BenchModel>& models, const Effort& effort);
 [[nodiscard]] Result<Json> benchClusters(const std::vector<BenchModel>& models,
                                          const Effort& effort);
+// On models of its own; rays that OpenGL sees end elsewhere are in the figure (`differing`).
+[[nodiscard]] Result<Json> benchRaycast(const std::vector<BenchModel>& models,
+                                        const Effort& effort);
 // In the editor, from input to picture; on models of its own.
 [[nodiscard]] Result<Json> benchLatency(const std::vector<BenchModel>& models,
                                         const Effort& effort);

@@ -101,6 +101,10 @@ std::optional<BenchModel> loaded(const std::string& name, const fs::path& path) 
 
 }  // namespace
 
+Result<BenchModel> scatteredModel(int size) {
+    return made("random" + std::to_string(size), scattered(size));
+}
+
 Result<BenchModel> shellModel(int size) {
     return made("shell" + std::to_string(size), ball(size, size / 2.0 - 1.0));
 }

@@ -1,4 +1,4 @@
-// The figures of frames and clusters as tables for a page.
+// The figures of frames, rays and clusters as tables for a page.
 #pragma once
 
 #include <string>
@@ -14,5 +14,8 @@ namespace voxprite::bench {
 // The same of benchClusters: a row a model, with what building costs and the finest three levels;
 // then what budgets save, and what they show.
 [[nodiscard]] std::string clusterTables(const Json& figures);
+
+// The same of benchRaycast: a row for each model, depth and limit.
+[[nodiscard]] std::string raycastTable(const Json& figures);
 
 }  // namespace voxprite::bench
