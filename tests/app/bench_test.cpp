@@ -85,7 +85,7 @@ TEST_F(Bench, ClustersKeepTheirBudgets) {
         const std::string model = figure.at("model").get<std::string>();
         if (figure.contains("level") && figure.at("level") == 0)
             finest[model] = figure.at("clusters").get<std::uint64_t>();
-        if (!figure.contains("budget_px")) continue;
+        if (!figure.contains("overhang_px")) continue;
         const double budget = figure.at("budget_px").get<double>();
         const auto count = figure.at("clusters").get<std::uint64_t>();
         // A pixel more, since those of both silhouettes are whole.

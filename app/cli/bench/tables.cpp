@@ -100,19 +100,15 @@ std::string countOf(const Json& figure, const char* key) {
 }
 
 std::string clusterBuildTable(const Json& figures) {
-    Rows rows{{"model", "build, ms", "on all cores", "clusters", "KiB", "triangles, finest",
-               "level 1", "level 2", "level 3"}};
+    Rows rows{{"model", "build, ms of one core", "clusters", "KiB", "triangles, finest", "level 1",
+               "level 2", "level 3"}};
     for (const Json& figure : figures) {
         const bool level = figure.contains("level");
-        if (figure.contains("build_ms")) {
-            const std::string time = cli::textOf(std::round(figure["build_ms"].get<double>()));
-            if (figure["threads"] == 1) {
-                rows.push_back({figure["model"].get<std::string>(), time});
-            } else {
-                const auto bytes = figure["bytes"].get<std::uint64_t>();
-                rows.back().insert(rows.back().end(),
-                                   {time, countOf(figure, "clusters"), grouped(bytes / 1024)});
-            }
+        if (figure.contains("build_ms") && figure["threads"] == 1) {
+            const auto bytes = figure["bytes"].get<std::uint64_t>();
+            rows.push_back({figure["model"].get<std::string>(),
+                            cli::textOf(std::round(figure["processor_ms"].get<double>())),
+                            countOf(figure, "clusters"), grouped(bytes / 1024)});
         } else if (level && figure["level"].get<int>() < 4) {
             rows.back().push_back(countOf(figure, "triangles"));
         }
@@ -125,7 +121,7 @@ std::string clusterBudgetTable(const Json& figures) {
     Rows rows{{"model", "budget, px", "clusters", "triangles", "outside the exact silhouette, px",
                "of it missing, px"}};
     for (const Json& figure : figures) {
-        if (!figure.contains("budget_px")) continue;
+        if (!figure.contains("overhang_px")) continue;
         rows.push_back({figure["model"].get<std::string>(),
                         cli::textOf(figure["budget_px"].get<double>()), countOf(figure, "clusters"),
                         countOf(figure, "triangles"), countOf(figure, "overhang_px"),
