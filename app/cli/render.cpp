@@ -161,6 +161,9 @@ Result<Report> render(const RenderOptions& options) {
     if (mode == RenderMode::clusters && options.backend == Backend::cpu) {
         throw CLI::ValidationError("--mode", "clusters are drawn by OpenGL: add --backend gl");
     }
+    if (options.clusterBudgetPx < 0.0) {
+        throw CLI::ValidationError("--cluster-budget", "is not below 0");
+    }
     Times times;
     const Result<Shot> shot = makeShot(options, times);
     if (!shot) return Failure(shot.error());
