@@ -9,6 +9,7 @@
 #include <set>
 #include <tuple>
 
+#include "core/sprite/view_axes.h"
 #include "tests/support/must.h"
 #include "tests/support/random.h"
 
@@ -255,6 +256,57 @@ TEST(ViewBlend, WeighsTheThreeNearestAndChangesWithoutAStep) {
             EXPECT_GT(alone.front().weight, 1.0 - 1e-6);
         }
     }
+}
+
+// Against every turn there is, by tenths of a degree, on points of the box.
+TEST(RolledToMatch, DrawsTheBoxsPointsNearTheirPlaces) {
+    Random random(77);
+    const ViewSet set;
+    for (int n = 0; n < 20; ++n) {
+        const glm::ivec3 size = random.voxel(1, 40);
+        const glm::dvec3 forward = -randomDirection(random);
+        const glm::dvec3 right = glm::normalize(glm::cross(forward, randomDirection(random)));
+        const glm::dmat3 seen(right, glm::cross(right, forward), forward);
+        const glm::dmat3 shown = set.axes(set.nearest(-forward).value());
+        std::vector<glm::dvec3> points;
+        for (int k = 0; k < 200; ++k) {
+            // Both ways along each axis, so that the axes are independent as in the whole box.
+            const double x = (random.unit() - 0.5) * size.x;
+            const double y = (random.unit() - 0.5) * size.y;
+            const double z = (random.unit() - 0.5) * size.z;
+            for (int octant = 0; octant < 8; ++octant)
+                points.emplace_back((octant & 1) != 0 ? x : -x, (octant & 2) != 0 ? y : -y,
+                                    (octant & 4) != 0 ? z : -z);
+        }
+        // The plane's axes are the world's: drawn and true places are its x and y.
+        const auto off = [&](const glm::dmat3& plane) {
+            double sum = 0.0;
+            for (const glm::dvec3& point : points) {
+                const glm::dvec3 drawn =
+                    plane[0] * glm::dot(shown[0], point) + plane[1] * glm::dot(shown[1], point);
+                const glm::dvec2 gap{drawn.x - glm::dot(seen[0], point),
+                                     drawn.y - glm::dot(seen[1], point)};
+                sum += glm::dot(gap, gap);
+            }
+            return sum / static_cast<double>(points.size());
+        };
+        const double ours = off(rolledToMatch(glm::dmat3(1.0), seen, shown, size));
+        double least = ours;
+        for (int tenth = 0; tenth < 3600; ++tenth) {
+            const double angle = tenth * 3.14159265358979323846 / 1800.0;
+            const glm::dvec3 turned{std::cos(angle), std::sin(angle), 0.0};
+            const glm::dvec3 up{-turned.y, turned.x, 0.0};
+            least = std::min(least, off({turned, up, glm::dvec3(0, 0, 1)}));
+        }
+        // What is random about the points aside.
+        EXPECT_LE(ours, least * 1.02 + 1e-3 * glm::dot(glm::dvec3(size), glm::dvec3(size)));
+    }
+    // Something tall stays upright, whatever the view.
+    const glm::dmat3 seen = set.axes(0);
+    const glm::dmat3 tall = rolledToMatch(seen, seen, set.axes(25), {1, 1, 1000});
+    EXPECT_NEAR(tall[1].z, 1.0, 1e-5);
+    EXPECT_LT(rolledToMatch(seen, seen, set.axes(25), {1, 1, 1})[1].z, 0.99);
+    EXPECT_EQ(rolledToMatch(seen, seen, seen, {4, 5, 6}), seen);
 }
 
 TEST(ViewSets, NamesAreReadAsTheyAreWritten) {
