@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "app/cli/text_table.h"
 #include "core/lod/cluster_cut.h"
 #include "core/lod/cluster_mesh.h"
 #include "render/cluster_pass.h"
@@ -41,7 +42,7 @@ class FrameBench {
 
     Status run(const BenchModel& model) {
         const Result<ClusterMesh> mesh = buildClusters(model.octree.view());
-        if (!mesh) return Failure(mesh.error());
+        if (!mesh) return {};  // too large: benchClusters says so
         GpuOctree octree;
         octree.upload(model.octree.view());
         GpuClusters clusters;
@@ -144,6 +145,27 @@ Status benchClusterFrames(const std::vector<BenchModel>& models, const Effort& e
         if (Status status = bench.run(model); !status) return status;
     }
     return {};
+}
+
+std::string clusterFrameTable(const Json& figures) {
+    std::vector<std::vector<std::string>> rows{{"model", "distance", "rays, ms"}};
+    for (const double budget : kBudgetsPx) {
+        const std::string column = "clusters, " + cli::textOf(budget) + " px";
+        rows[0].insert(rows[0].end(), {column + ", ms", "triangles", "wrong pixels, %"});
+    }
+    for (const Json& figure : figures) {
+        if (!figure.contains("distance")) continue;
+        const std::string ms = cli::textOf(figure["ms"].get<double>());
+        if (figure["mode"] == "rays") {
+            rows.push_back(
+                {figure["model"].get<std::string>(), figure["distance"].get<std::string>(), ms});
+            continue;
+        }
+        rows.back().insert(rows.back().end(),
+                           {ms, std::to_string(figure["triangles"].get<std::uint64_t>()),
+                            cli::textOf(100.0 * figure["wrong"].get<double>())});
+    }
+    return cli::textOf(rows, cli::TableStyle::markdown);
 }
 
 }  // namespace voxprite::bench

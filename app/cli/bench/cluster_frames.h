@@ -1,6 +1,8 @@
 // Frames of the voxel view by rays and by clusters, for benchClusters.
 #pragma once
 
+#include <string>
+
 #include "app/cli/bench/bench.h"
 
 namespace voxprite::bench {
@@ -11,5 +13,8 @@ namespace voxprite::bench {
 // far. Needs a current GL context.
 [[nodiscard]] Status benchClusterFrames(const std::vector<BenchModel>& models, const Effort& effort,
                                         Json& out);
+
+// Those figures as a table in Markdown: a row a model and distance, a column a budget.
+[[nodiscard]] std::string clusterFrameTable(const Json& figures);
 
 }  // namespace voxprite::bench
