@@ -1,6 +1,7 @@
 #include "core/lod/cluster_mesh.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -71,6 +72,8 @@ class BrickFinder {
     std::vector<Brick> bricks_;
 };
 
+constexpr std::uint64_t kQuadBytes = 4 * sizeof(ClusterVertex) + 6 * sizeof(std::uint32_t);
+
 float levelError(int level) {
     return static_cast<float>(std::numbers::sqrt3 * ((1 << level) - 1));
 }
@@ -78,13 +81,20 @@ float levelError(int level) {
 class Builder {
   public:
     Builder(const OctreeView& octree, const ClusterBuildOptions& options)
-        : octree_(octree), options_(options) {}
+        : octree_(octree),
+          options_(options),
+          mostQuads_(std::min(options.mostBytes / kQuadBytes,
+                              std::uint64_t{std::numeric_limits<std::uint32_t>::max()} / 6)) {}
 
     Result<ClusterMesh> run() {
         std::vector<std::vector<Brick>> levels;
         for (int level = 0; level <= octree_.maxDepth; ++level) {
             auto bricks = meshLevel(level);
             if (!bricks) return tl::unexpected(bricks.error());
+            if (quads_ > mostQuads_)
+                return fail(
+                    "the model's surface is too large for clusters: they would take more than " +
+                    std::to_string(mostQuads_ * kQuadBytes >> 20) + " MiB");
             if (level == 0) {
                 for (Brick& brick : *bricks) brick.hasSurface = !brick.vertices.empty();
             } else {
@@ -101,7 +111,7 @@ class Builder {
         return level + std::countr_zero(static_cast<unsigned>(options_.brickCells));
     }
 
-    Result<std::vector<Brick>> meshLevel(int level) const {
+    Result<std::vector<Brick>> meshLevel(int level) {
         BrickLevel source{octree_, octree_, glm::ivec3(0), level, options_.brickCells};
         Octree coarse;
         if (level > 0) {
@@ -116,7 +126,10 @@ class Builder {
             BrickMesher mesher(source);
             for (int i = first; i < last; ++i) {
                 Brick& brick = bricks[static_cast<std::size_t>(i)];
+                // Whether it ends here does not depend on the order: more quads only come to it.
+                if (quads_ > mostQuads_) return;
                 brick.vertices = mesher.quads(brick.at);
+                quads_ += brick.vertices.size() / 4;
             }
         });
         return bricks;
@@ -131,15 +144,13 @@ class Builder {
         }
     }
 
-    [[nodiscard]] Result<ClusterMesh> assemble(std::vector<std::vector<Brick>>& levels) {
+    [[nodiscard]] ClusterMesh assemble(std::vector<std::vector<Brick>>& levels) {
         std::uint64_t vertexCount = 0;
         std::size_t pageCount = 0;
         for (const std::vector<Brick>& bricks : levels) {
             pageCount += bricks.size();
             for (const Brick& brick : bricks) vertexCount += brick.vertices.size();
         }
-        if (vertexCount / 4 * 6 > std::numeric_limits<std::uint32_t>::max())
-            return fail("the model's clusters need more indices than 32 bits can count");
         mesh_.treeFromVoxel = octree_.treeFromVoxel;
         if (pageCount == 0) return std::move(mesh_);
         mesh_.vertices.reserve(vertexCount);
@@ -221,6 +232,8 @@ class Builder {
 
     const OctreeView& octree_;
     ClusterBuildOptions options_;
+    std::uint64_t mostQuads_;
+    std::atomic<std::uint64_t> quads_ = 0;  // of all levels so far
     ClusterMesh mesh_;
 };
 

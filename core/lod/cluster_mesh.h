@@ -70,11 +70,14 @@ struct ClusterMesh {
 struct ClusterBuildOptions {
     int brickCells = 16;  // the edge of a cluster in its level's cells: 4, 8, 16 or 32
     int threads = 0;      // as parallelFor; the result never depends on it
+    // What the quads may take. A ball of 2,048 voxels fits the default; noise, of which most voxels
+    // are seen, does from about 300 cubed on not.
+    std::uint64_t mostBytes = std::uint64_t{512} << 20;
 };
 
 // Fails when the octree is 16 levels deep (its far corner has no 16-bit coordinate), when the
-// options are out of range, or when the indices would need more than 32 bits. An empty octree gives
-// an empty mesh.
+// options are out of range, or when the quads would take more memory than allowed or more indices
+// than 32 bits can count; then before the memory is taken. An empty octree gives an empty mesh.
 [[nodiscard]] Result<ClusterMesh> buildClusters(const OctreeView& octree,
                                                 const ClusterBuildOptions& options = {});
 

@@ -23,8 +23,7 @@ namespace {
 constexpr glm::ivec2 kFramePx{512, 512};
 constexpr double kFovDegrees = 45.0;
 constexpr double kLastingMs = 1000.0;  // longer builds are measured once
-constexpr std::uint64_t kMostDrawnBytes = std::uint64_t{1} << 28;  // larger ones are only built
-constexpr int kMostOverhangPx = 64;                                // what is searched
+constexpr int kMostOverhangPx = 64;    // what is searched
 
 // Medians, of the time that passed and of that in which the processor worked on it (on all threads
 // together): the latter hardly depends on what else the machine does.
@@ -157,14 +156,16 @@ Result<Json> benchClusters(const std::vector<BenchModel>& models, const Effort& 
     for (const BenchModel& model : models) {
         progress(effort, "clusters: " + model.name);
         for (const int threads : {1, 0}) {
-            Result<Json> figure = buildFigure(model, threads, effort);
-            if (!figure) return Failure(figure.error());
-            figures.push_back(std::move(*figure));
+            if (Result<Json> figure = buildFigure(model, threads, effort))
+                figures.push_back(std::move(*figure));
         }
         const Result<ClusterMesh> mesh = buildClusters(model.octree.view());
-        if (!mesh) return Failure(mesh.error());
+        if (!mesh) {
+            figures.push_back({{"model", model.name}, {"refused", mesh.error().message}});
+            continue;
+        }
         levelFigures(model, *mesh, figures);
-        if (mesh->pages.empty() || mesh->bytes() > kMostDrawnBytes) continue;
+        if (mesh->pages.empty()) continue;
         if (Status ok = budgetFigures(*renderer, model, *mesh, figures); !ok)
             return Failure(ok.error());
     }

@@ -109,6 +109,8 @@ std::string clusterBuildTable(const Json& figures) {
             rows.push_back({figure["model"].get<std::string>(),
                             cli::textOf(std::round(figure["processor_ms"].get<double>())),
                             countOf(figure, "clusters"), grouped(bytes / 1024)});
+        } else if (figure.contains("refused")) {
+            rows.push_back({figure["model"].get<std::string>(), "refused: too large"});
         } else if (level && figure["level"].get<int>() < 4) {
             rows.back().push_back(countOf(figure, "triangles"));
         }

@@ -273,6 +273,18 @@ TEST(BuildClusters, ReachTheFarCornerOfTheLargestTreeTheyTake) {
     EXPECT_THAT(refused.error().message, testing::HasSubstr("32,768"));
 }
 
+TEST(BuildClusters, TakeNoMoreMemoryThanAllowed) {
+    const Subject noise = subjectOf("noise", test::randomVoxels(2, {19, 18, 21}, 0.5, 3));
+    const std::uint64_t bytes = meshOf(noise).indices.size() / 6 * 56;
+    EXPECT_TRUE(buildClusters(noise.octree.view(), {.mostBytes = bytes}).has_value());
+    for (const int threads : {1, 0}) {
+        const auto refused =
+            buildClusters(noise.octree.view(), {.threads = threads, .mostBytes = bytes - 1});
+        ASSERT_FALSE(refused.has_value());
+        EXPECT_THAT(refused.error().message, testing::HasSubstr("too large for clusters"));
+    }
+}
+
 TEST(BuildClusters, RefusesOtherBricks) {
     for (const int brickCells : {-16, 0, 1, 2, 3, 5, 64}) {
         EXPECT_FALSE(buildClusters(Octree{}.view(), {.brickCells = brickCells}).has_value());
