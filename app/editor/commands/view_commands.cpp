@@ -68,6 +68,15 @@ constexpr Command occlusionCommand(Command command) {
     return command;
 }
 
+template <DrawBy way>
+constexpr Command drawByCommand(Command command) {
+    command.menu = MenuId::view;
+    command.group = "Draw voxels by";
+    command.run = [](CommandContext& c) { c.settings.view.drawBy = way; };
+    command.on = [](const CommandContext& c) { return c.settings.view.drawBy == way; };
+    return command;
+}
+
 constexpr Command ungrouped(Command command) {
     command.group = "";
     return command;
@@ -175,6 +184,26 @@ std::span<const Command> viewCommands() {
             {.id = occlusionRays, .tag = "occlusion_rays", .name = "Shade by short rays"}),
         switchCommand<&ViewSettings::sunShadow>(
             {.id = toggleSunShadow, .tag = "sun_shadow", .name = "Shadows in the edit view"}),
+        drawByCommand<DrawBy::automatic>(
+            {.id = drawByAutomatic, .tag = "draw_by_automatic", .name = "What is faster"}),
+        drawByCommand<DrawBy::rays>(
+            {.id = drawByRays, .tag = "draw_by_rays", .name = "Rays: one for each pixel"}),
+        drawByCommand<DrawBy::clusters>(
+            {.id = drawByClusters, .tag = "draw_by_clusters", .name = "Clusters of a mesh"}),
+        Command{.id = toggleClusterTint,
+                .tag = "cluster_tint",
+                .menu = MenuId::view,
+                .group = "Draw voxels by",
+                .name = "Tint clusters by level of detail",
+                .separator = true,
+                .run =
+                    [](CommandContext& c) {
+                        ViewSettings& view = c.settings.view;
+                        view.tintClusters = !view.tintClusters;
+                        // Rays have no levels.
+                        if (view.tintClusters) view.drawBy = DrawBy::clusters;
+                    },
+                .on = [](const CommandContext& c) { return c.settings.view.tintClusters; }},
         switchCommand<&ViewSettings::proxyBox>({.id = toggleProxyBox,
                                                 .tag = "proxy_box",
                                                 .name = "Proxy box",

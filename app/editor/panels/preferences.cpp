@@ -21,6 +21,15 @@ constexpr std::array kBackdrops{
 constexpr std::array kOcclusions{
     Choice{"Off", "No shade between voxels"}, Choice{"Corners", "Shade where voxels meet"},
     Choice{"Rays", "Shade by short rays: it sees farther, and costs more"}};
+constexpr std::array kDrawBys{
+    Choice{"Automatic", "Large models: what is faster on this machine. Small ones: rays"},
+    Choice{"Rays", "The edit view casts a ray for each pixel"},
+    Choice{"Clusters", "The edit view draws a mesh, as fine as its size on the screen asks for"}};
+constexpr std::array kClusterBudgets{0.0, 1.0, 2.0, 4.0};
+constexpr std::array kClusterBudgetChoices{
+    Choice{"Exact", "The finest mesh: the pixels that rays show"},
+    Choice{"1 px", "The mesh may be off by a pixel"}, Choice{"2 px", "Coarser, and faster"},
+    Choice{"4 px", "Coarser still"}};
 constexpr std::array kNavigations{
     Choice{"MagicaVoxel", "Right: orbit. Middle, or Space and left: pan. Wheel: zoom"},
     Choice{"Blender", "Middle: orbit, with Shift: pan, with Ctrl: zoom. Wheel: zoom"},
@@ -130,6 +139,11 @@ void Preferences::drawGeneral(Ui& ui) {
     ImGui::SameLine(middle);
     static_cast<void>(switchRow(ui, "preferences.bounds", "Bounds", view.boundsBox));
     static_cast<void>(enumRow(ui, "preferences.occlusion", "Shade", view.occlusion, kOcclusions));
+    static_cast<void>(enumRow(ui, "preferences.drawBy", "Draw by", view.drawBy, kDrawBys));
+    if (view.drawBy != DrawBy::rays) {
+        valueRow(ui, "preferences.clusterBudget", "Mesh detail", view.clusterBudgetPx,
+                 kClusterBudgets, kClusterBudgetChoices);
+    }
     ImGui::Dummy(ui.theme.px(0, 6));
     valueRow(ui, "preferences.history", "Undo memory", window.historyMegabytes, kMemories,
              kMemoryChoices);

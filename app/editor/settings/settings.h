@@ -67,6 +67,9 @@ struct ToolSettings {
 // What is behind the voxels in the edit view.
 enum class Backdrop : std::uint8_t { theme, black, grey, white, sky };
 
+// How the edit view draws the voxels: a ray for each pixel, or a mesh; they look the same.
+enum class DrawBy : std::uint8_t { automatic, rays, clusters };
+
 struct ViewSettings {
     bool voxelEdges = true;
     bool editGround = true;
@@ -74,6 +77,9 @@ struct ViewSettings {
     VoxelOcclusion occlusion = VoxelOcclusion::corners;
     bool sunShadow = false;  // in the edit view
     Backdrop backdrop = Backdrop::theme;
+    DrawBy drawBy = DrawBy::automatic;
+    double clusterBudgetPx = 1.0;  // screen pixels that the mesh may be off, 0 ... 16
+    bool tintClusters = false;     // the mesh tells its levels of detail by colours
     bool proxyBox = true;
     bool anchorMarker = true;
     bool groundGrid = false;

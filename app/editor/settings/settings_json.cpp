@@ -74,6 +74,9 @@ void describe(Archive archive, ViewSettings& view) {
     archive.choice("occlusion", view.occlusion, VoxelOcclusion::rays);
     archive.field("sun_shadow", view.sunShadow);
     archive.choice("backdrop", view.backdrop, Backdrop::sky);
+    archive.choice("draw_by", view.drawBy, DrawBy::clusters);
+    archive.number("cluster_budget", view.clusterBudgetPx, 0.0, 16.0);
+    archive.field("tint_clusters", view.tintClusters);
     archive.field("proxy_box", view.proxyBox);
     archive.field("anchor_marker", view.anchorMarker);
     archive.field("ground_grid", view.groundGrid);

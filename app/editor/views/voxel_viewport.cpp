@@ -1,6 +1,7 @@
 #include "app/editor/views/voxel_viewport.h"
 
 #include <array>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "app/editor/tools/guides.h"
@@ -134,6 +135,12 @@ bool VoxelViewport::render(const Session& session, const GpuOctree& octree,
     // A frame that does not fit is not shown; the frames that the artist edits are.
     const auto ghosts = onion_.ghosts(session, settings.view.onionSkin && !settings.view.playing)
                             .value_or(std::vector<OnionSkin::Ghost>());
+    const Camera camera = camera_.camera(canvas_.sizePx());
+    const PlacedEntity placed = session.placedForEditing();
+    const double radiusPx = placed.radiusMetres() / camera.metresPerScreenPx(glm::distance(
+                                                        camera.eyeMetres, placed.centreMetres()));
+    clusters_->follow(session, settings.view.drawBy);
+    const GpuClusters* mesh = clusters_->toDraw(session, octree, settings.view.drawBy, radiusPx);
     Shown wanted{octree.revision(),
                  session.modelRevision(),
                  camera_,
@@ -144,7 +151,8 @@ bool VoxelViewport::render(const Session& session, const GpuOctree& octree,
                  session.bounds(),
                  guides,
                  {},
-                 selection_.follow(session)};
+                 selection_.follow(session),
+                 mesh == nullptr ? 0 : mesh->revision()};
     for (const OnionSkin::Ghost& ghost : ghosts) wanted.ghosts.push_back(ghost.octree->revision());
     if (shown_ == wanted) return false;
     VoxelViewOptions look;
@@ -156,9 +164,15 @@ bool VoxelViewport::render(const Session& session, const GpuOctree& octree,
     const BackdropColours behind = backdropColours(wanted.view.backdrop, wanted.theme);
     look.backgroundTop = behind.top;
     look.backgroundBottom = behind.bottom;
-    const Camera camera = camera_.camera(wanted.sizePx);
+    look.clusters = mesh;
+    // What is drawn onto the voxels' own surface must not be hidden by a coarser one.
+    const bool exact = wanted.marked != 0 || !ghosts.empty();
+    look.clusterBudgetPx = exact ? 0.0 : wanted.view.clusterBudgetPx;
+    look.tintLevels = wanted.view.tintClusters;
+    clusters_->beginFrame(mesh, radiusPx);
     view_.draw(canvas_.frame(), octree, session.shownPalette(), session.placedForEditing(), camera,
                look);
+    clusters_->endFrame();
     for (const OnionSkin::Ghost& ghost : ghosts) {
         view_.drawGhost(canvas_.frame(), *ghost.octree, session.shownPalette(),
                         session.placedForEditing(), camera, look, ghost.tint);

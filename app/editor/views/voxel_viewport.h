@@ -1,6 +1,7 @@
 // The edit view: the voxels in perspective, and the tools that change them.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "app/editor/tools/tool_box.h"
@@ -8,6 +9,7 @@
 #include "app/editor/views/picking.h"
 #include "app/editor/views/selection_picture.h"
 #include "app/editor/views/view_canvas.h"
+#include "app/editor/views/voxel_clusters.h"
 #include "core/base/result.h"
 #include "render/overlay.h"
 #include "render/voxel_view.h"
@@ -25,6 +27,8 @@ class VoxelViewport {
 
     [[nodiscard]] OrbitCamera& camera() { return camera_; }
     [[nodiscard]] CameraTurn& turn() { return turn_; }
+    // A mesh is on its way that the picture waits for.
+    [[nodiscard]] bool prepares() const { return clusters_->pending(); }
     [[nodiscard]] bool turns() const { return turn_.running(); }
     void frameModel(const Session& session);
     // So that a box of entity space fills the view.
@@ -35,7 +39,9 @@ class VoxelViewport {
 
   private:
     VoxelViewport(VoxelView view, Overlay overlay)
-        : view_(std::move(view)), overlay_(std::move(overlay)) {}
+        : view_(std::move(view)),
+          overlay_(std::move(overlay)),
+          clusters_(std::make_unique<VoxelClusters>()) {}
     void useTools(Ui& ui, const ToolContext& context, std::string& refusal);
 
     // Everything that the picture depends on.
@@ -51,6 +57,7 @@ class VoxelViewport {
         ToolOptions guides;
         std::vector<std::uint64_t> ghosts;  // revisions of their octrees
         std::uint64_t marked = 0;           // that of what is selected
+        std::uint64_t clusters = 0;         // that of the mesh; 0: rays
         bool operator==(const Shown&) const = default;
     };
 
@@ -62,6 +69,7 @@ class VoxelViewport {
     ToolBox tools_;
     OnionSkin onion_;
     SelectionPicture selection_;
+    std::unique_ptr<VoxelClusters> clusters_;  // its work in the background points to it
     std::optional<Pick> hovered_;
     float scale_ = 1.0f;  // device pixels a pixel
     std::optional<Shown> shown_;
