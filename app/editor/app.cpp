@@ -257,7 +257,7 @@ std::string App::openDialog() const {
 
 bool App::animates() const {
     if (sprite_.animates(settings_) || files_.isWorking()) return true;
-    if (voxels_.turns() || sprite_.turns()) return true;
+    if (voxels_.turns() || sprite_.turns() || voxels_.prepares()) return true;
     return settings_.view.playing && session_.frames() > 1;
 }
 
