@@ -24,6 +24,34 @@ void checkStill(const json& figure) {
     EXPECT_EQ(figure.at("castsReused"), figure.at("drawn")) << figure;
 }
 
+// Depths 5 and 6 in a quick run: shells and noise, down to the voxels and to two levels above.
+TEST_F(Bench, RaysAtEveryDepthAgreeWithOpenGl) {
+    const ProgramResult result = run({"bench", "--quick", "--only", "raycast", "--json"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    std::map<std::string, int> figures;
+    const json report = result.json();
+    for (const json& figure : report.at("raycast")) {
+        const std::string by = figure.at("by").get<std::string>();
+        ++figures[by];
+        EXPECT_TRUE(figure.at("depth") == 5 || figure.at("depth") == 6) << figure;
+        const int left = figure.at("depth").get<int>() - figure.at("maxDepth").get<int>();
+        EXPECT_TRUE(left == 0 || left == 2) << figure;
+        if (by == "gl") {
+            EXPECT_EQ(figure.at("differing"), 0) << figure;
+        }
+        if (by == "cpu") {
+            EXPECT_GT(figure.at("hits").get<double>(), 0.1) << figure;
+            EXPECT_LT(figure.at("iterations_a_ray").get<double>(), 3 * 64) << figure;
+        }
+        if (by == "frame") {
+            EXPECT_EQ(figure.at("size"), json({1920, 1080}));
+        }
+    }
+    EXPECT_EQ(figures["gl"], 8);
+    EXPECT_EQ(figures["frame"], 8);
+    EXPECT_GE(figures["cpu"], 8);
+}
+
 TEST_F(Bench, CrowdsAreOneDrawAndCastOnlyWhatIsNew) {
     const ProgramResult result = run({"bench", "--quick", "--only", "frame", "--json"});
     ASSERT_EQ(result.status, 0) << result.err;
@@ -70,6 +98,28 @@ TEST_F(Bench, CrowdsAreOneDrawAndCastOnlyWhatIsNew) {
     EXPECT_EQ(ways.size(), 2u * 2u * 2u + 2u);  // the rival knows one view
     EXPECT_EQ(oneSprite, 4);
     EXPECT_TRUE(tenThousand);
+}
+
+// Each kind of shade alone changes a part of the pixels, and both together at least as many.
+TEST_F(Bench, ShadeChangesAPartOfTheSprite) {
+    const ProgramResult result = run({"bench", "--quick", "--only", "shade", "--json"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json report = result.json();
+    std::map<std::string, double> changed;
+    int views = 0;
+    for (const json& figure : report.at("shade")) {
+        if (figure.at("scene") == "sprite") {
+            changed[figure.at("shade").get<std::string>()] = figure.at("changed").get<double>();
+        }
+        views += figure.at("scene") == "voxels" ? 1 : 0;
+    }
+    EXPECT_EQ(changed.at("off"), 0.0);
+    EXPECT_GT(changed.at("occlusion"), 0.02);
+    EXPECT_LT(changed.at("occlusion"), 0.8);
+    EXPECT_GT(changed.at("shadow"), 0.0);
+    EXPECT_LT(changed.at("shadow"), 0.8);
+    EXPECT_GE(changed.at("both"), std::max(changed.at("occlusion"), changed.at("shadow")));
+    EXPECT_EQ(views, 4);
 }
 
 // What a budget promises is seen: nothing sticks out by more, nothing is missing, and more

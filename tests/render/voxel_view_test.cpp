@@ -38,10 +38,10 @@ class VoxelViews : public test::GlTest {
         float depth = 0.0f;
     };
     static Expected pick(const GpuModel& model, const PlacedEntity& placed, const Camera& camera,
-                         glm::dvec2 screenPx) {
+                         glm::dvec2 screenPx, int maxDepth) {
         const Camera::Ray ray = camera.rayThrough(screenPx);
-        const RaycastHit hit =
-            raycast(model.octree.view(), voxelPlacement(placed), {ray.origin, ray.direction});
+        const RaycastHit hit = raycast(model.octree.view(), voxelPlacement(placed),
+                                       {ray.origin, ray.direction}, {.maxDepth = maxDepth});
         if (!hit.hit) return {};
         const double metres = hit.t * glm::dot(ray.direction, camera.forward);
         return {hit.value, camera.reversedDepth(metres)};
@@ -50,10 +50,12 @@ class VoxelViews : public test::GlTest {
     // Compares a picture with picking; silhouettes and edges between two voxels are where single
     // precision may fall on the other side.
     static void expectAgreement(const GpuModel& model, const PlacedEntity& placed,
-                                const Camera& camera) {
+                                const Camera& camera, int maxDepth = kMaxOctreeDepth) {
         VoxelView view = must(VoxelView::create());
         Frame frame(kViewport);
-        view.draw(frame, model.gpu, model.palette, placed, camera, plain());
+        VoxelViewOptions options = plain();
+        options.maxDepth = maxDepth;
+        view.draw(frame, model.gpu, model.palette, placed, camera, options);
         const Image colour = frame.readColour();
         const std::vector<float> depth = frame.readDepth();
         int hits = 0;
@@ -61,7 +63,8 @@ class VoxelViews : public test::GlTest {
         for (int y = 0; y < kViewport.y; ++y) {
             for (int x = 0; x < kViewport.x; ++x) {
                 const auto at = static_cast<std::size_t>(y * kViewport.x + x);
-                const Expected expected = pick(model, placed, camera, glm::dvec2(x, y) + 0.5);
+                const Expected expected =
+                    pick(model, placed, camera, glm::dvec2(x, y) + 0.5, maxDepth);
                 hits += expected.material != 0;
                 const bool sameColour =
                     expected.material == 0
@@ -93,6 +96,17 @@ TEST_F(VoxelViews, EveryPixelShowsTheVoxelThatPickingFinds) {
         parallel.orthographic = true;
         parallel.orthographicHeightMetres = 2.4 * placed.radiusMetres();
         expectAgreement(*model, placed, parallel);
+    }
+}
+
+// Also where cubes reach beyond the model's box, whose edges are no multiples of theirs.
+TEST_F(VoxelViews, ADepthLimitShowsTheCubesThatRaysMeet) {
+    GpuModel noise(test::randomVoxels(5, {17, 30, 23}, 0.01, 200));
+    const PlacedEntity placed = noise.placedAt({3.0, 1.0, -2.0}, GameProfile{}, 20.0);
+    ASSERT_EQ(noise.octree.maxDepth, 5);
+    for (int depth = 0; depth <= 5; ++depth) {
+        expectAgreement(noise, placed, camera(placed, {35, 25, 0}, 3.0), depth);
+        expectAgreement(noise, placed, camera(placed, {180, -10, 0}, 2.0), depth);
     }
 }
 
