@@ -138,6 +138,11 @@ Status viewFromCamera(Shot& shot) {
     return {};
 }
 
+void checkLevels(const char* option, int levels) {
+    if (levels >= 0 && levels <= kMaxOctreeDepth) return;
+    throw CLI::ValidationError(option, "must be 0 ... " + std::to_string(kMaxOctreeDepth));
+}
+
 // The coarser octree in the place of the fine one; sockets with it.
 Status makeCoarser(Shot& shot, glm::ivec3 origin, int levels) {
     Result<Octree> coarse = coarsen(shot.octree.view(), origin, levels);
@@ -185,6 +190,8 @@ Result<Shot> makeShot(const RenderOptions& options, Times& times) {
         profile->mode == SpriteMode::singlePass ? RenderMode::singlePass : RenderMode::sprite);
     shot.placed = placeEntity(entityOf(document.entity, options, bounds), bounds, *profile);
     if (!options.positionMetres) shot.placed.anchorMetres -= shot.placed.centreMetres();
+    checkLevels("--octree-depth", options.octreeDepth);
+    checkLevels("--levels", options.levels);
     if (options.levels > 0) {
         if (Status coarser = makeCoarser(shot, bounds.min, options.levels); !coarser) {
             return Failure(inFile(std::move(coarser), options.input).error());
