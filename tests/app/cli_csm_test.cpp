@@ -32,7 +32,7 @@ TEST_F(CliCsm, GoesThroughEveryCommand) {
     EXPECT_EQ(inspected["format"], "csm");
     ASSERT_EQ(inspected["models"].size(), 1u);
     EXPECT_EQ(inspected["models"][0]["voxels"], 9);
-    EXPECT_EQ(inspected["models"][0]["size"], Json({4, 4, 3}));
+    EXPECT_EQ(inspected["models"][0]["size"], Json({4, 4, 2}));
 
     for (const char* name : {"m.vox", "m.voxprite", "m.svo", "n.csm"}) {
         const Json converted = json({"convert", model, "-o", file(name)});
@@ -62,7 +62,8 @@ TEST_F(CliCsm, ErrorsNameLineAndColumn) {
     EXPECT_EQ(error["line"], 2);
     EXPECT_EQ(error["column"], 10);
     EXPECT_EQ(run({"render", model, "-o", file("o.png")}).err,
-              model + ": line 2, column 10: a value above 255 has no voxel: 0 to 255\n");
+              "voxprite render: " + model +
+                  ": line 2, column 10: a value above 255 has no voxel: 0 to 255\n");
 }
 
 TEST_F(CliCsm, LevelsDrawACoarserOctree) {
@@ -81,8 +82,9 @@ TEST_F(CliCsm, LevelsDrawACoarserOctree) {
         EXPECT_GT(coarse["buffer"]["opaque"], opaque) << levels;
         opaque = coarse["buffer"]["opaque"];
     }
-    EXPECT_EQ(run({"render", file("f.vox"), "--json", "--levels", "17"}).status, 1);
-    EXPECT_EQ(run({"render", file("f.vox"), "--json", "--levels", "-1"}).status, 2);
+    for (const char* wrong : {"-1", "17", "1.5"}) {
+        EXPECT_EQ(run({"render", file("f.vox"), "--json", "--levels", wrong}).status, 2) << wrong;
+    }
 }
 
 TEST_F(CliCsm, OctreeDepthCutsTheVoxelView) {
