@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "app/cli/bench/cluster_frames.h"
 #include "app/cli/bench/tables.h"
 #include "app/cli/command.h"
 #include "render/gl/context.h"
@@ -13,8 +14,8 @@
 namespace voxprite::cli {
 namespace {
 
-constexpr std::array<const char*, 8> kParts{"cast",  "raycast",  "bake",    "update",
-                                            "frame", "clusters", "latency", "files"};
+constexpr std::array<const char*, 9> kParts{"cast",  "raycast",  "bake",    "update", "frame",
+                                            "shade", "clusters", "latency", "files"};
 
 struct Options {
     std::vector<std::string> only;
@@ -68,13 +69,15 @@ Result<Report> runBench(const Options& options) {
     Result<gl::HeadlessContext> context = gl::HeadlessContext::create();
     if (context) {
         report.json["machine"]["gl"] = gl::driverInfo().renderer + ", " + gl::driverInfo().version;
-    } else if (wanted("raycast") || wanted("frame") || wanted("clusters") || wanted("latency")) {
+    } else if (wanted("raycast") || wanted("frame") || wanted("shade") || wanted("clusters") ||
+               wanted("latency")) {
         return Failure(context.error());
     }
     using Part = Result<Json> (*)(const std::vector<bench::BenchModel>&, const bench::Effort&);
     constexpr std::array<Part, kParts.size()> run{
-        bench::benchCast,  bench::benchRaycast,  bench::benchBake,    bench::benchUpdate,
-        bench::benchFrame, bench::benchClusters, bench::benchLatency, bench::benchFiles};
+        bench::benchCast,     bench::benchRaycast, bench::benchBake,
+        bench::benchUpdate,   bench::benchFrame,   bench::benchShade,
+        bench::benchClusters, bench::benchLatency, bench::benchFiles};
     for (std::size_t k = 0; k < kParts.size(); ++k) {
         if (!wanted(kParts[k])) continue;
         Result<Json> figures = run[k](*models, effort);
@@ -85,8 +88,11 @@ Result<Report> runBench(const Options& options) {
         report.text += bench::raycastTable(report.json["raycast"]);
     if (options.markdown && report.json.contains("frame"))
         report.text += bench::frameTables(report.json["frame"]);
+    if (options.markdown && report.json.contains("shade"))
+        report.text += bench::shadeTable(report.json["shade"]);
     if (options.markdown && report.json.contains("clusters"))
-        report.text += bench::clusterTables(report.json["clusters"]);
+        report.text += bench::clusterTables(report.json["clusters"]) + "\n" +
+                       bench::clusterFrameTable(report.json["clusters"]);
     if (report.text.empty()) report.text = describe(report.json);
     return report;
 }
@@ -96,8 +102,10 @@ Result<Report> runBench(const Options& options) {
 void addBench(CLI::App& app, Command& command) {
     CLI::App& sub = *app.add_subcommand("bench", "Measure this machine");
     auto options = std::make_shared<Options>();
-    sub.add_option("--only", options->only,
-                   "Only these parts: cast, raycast, bake, update, frame, clusters, latency, files")
+    sub.add_option(
+           "--only", options->only,
+           "Only these parts: cast, raycast, bake, update, frame, shade, clusters, latency, "
+           "files")
         ->delimiter(',')
         ->check(CLI::IsMember(std::vector<std::string>(kParts.begin(), kParts.end())))
         ->type_name("PART,...");
@@ -106,7 +114,7 @@ void addBench(CLI::App& app, Command& command) {
                    "A folder of real models beside the samples (else VOXPRITE_CORPUS)")
         ->type_name("DIR");
     sub.add_flag("--markdown", options->markdown,
-                 "Rays, frames and clusters as tables in Markdown");
+                 "Rays, frames, shade and clusters as tables in Markdown");
     addJsonFlag(sub, command);
     runs(sub, command, options, runBench);
 }

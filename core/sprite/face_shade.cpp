@@ -1,5 +1,6 @@
 #include "core/sprite/face_shade.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -75,6 +76,10 @@ glm::ivec3 unit(int axis) {
 }
 
 }  // namespace
+
+int occlusionLevel(int blockedRays) {
+    return std::max(0, blockedRays - 1) / 4;
+}
 
 glm::ivec3 shadowDirection(glm::dvec3 towardLight) {
     const double largest =

@@ -16,11 +16,11 @@
 //
 // A ray is blocked by a solid cell whose inside it enters within reach; where it meets an edge it
 // goes through between the two beside it. Rays that begin alike share their cells: see
-// occlusionSteps. The number of blocked rays makes the level, (blocked + 2) / 4: none up to 1, then
-// up to 5, up to 9, and more.
+// occlusionSteps. The number of blocked rays makes the level, (blocked - 1) / 4: the four that one
+// step of stairs takes do not count, for else every slope and every ball would be darker than a
+// wall. A step on two sides or the foot of a wall is level 1, a corner of walls 3.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -34,9 +34,7 @@ inline constexpr int kOcclusionRays = 16;
 inline constexpr int kOcclusionReach = 4;
 inline constexpr int kOcclusionLevels = 4;
 
-[[nodiscard]] constexpr int occlusionLevel(int blockedRays) {
-    return std::min((blockedRays + 2) / 4, kOcclusionLevels - 1);
-}
+[[nodiscard]] int occlusionLevel(int blockedRays);
 
 // Toward the light, rounded: the largest component is +-kShadowDirection. (0,0,0) of a vector that
 // has no length or is not finite.

@@ -40,7 +40,7 @@ int blockedRays(ivec3 front, int axis, int side, inout Cursor cursor) {
 }
 
 int occlusionLevel(int blocked) {
-    return min((blocked + 2) / 4, kOcclusionLevels - 1);
+    return max(0, blocked - 1) / 4;
 }
 
 // x / m rounded down, for -1 <= x, 0 < m and quotients below 2^22: those of the model's box.

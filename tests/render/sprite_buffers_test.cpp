@@ -125,9 +125,10 @@ TEST_F(SpriteBuffers, OcclusionAndShadows) {
         }
     }
     EXPECT_EQ(narrow_, 40);
-    // Fine lattices of large models: the wide path asks the same of a face.
-    lit_ = litPalette(Palette::standard(), test::shadedLights({1.0, -2.0, 1.5}), Outline{});
-    compareViews(scattered(4, {600, 200, 280}, 60), "wide", {{33.0, 21.0, 0.0}}, {0.5, 0.25});
+    // The longest rays there are, in the wide path.
+    lit_ = litPalette(Palette::standard(), test::shadedLights({-1.0, 0.001, 0.002}), Outline{});
+    compareViews(scattered(11, {65'536, 40, 700}, 60), "long slab", {{33.0, 21.0, 0.0}},
+                 {1.0 / 64.0});
     EXPECT_EQ(wide_, 1);
 }
 

@@ -64,6 +64,7 @@ void progress(const Effort& effort, const std::string& what);
 [[nodiscard]] Result<Json> benchFiles(const std::vector<BenchModel>& models, const Effort& effort);
 // These need a current GL context.
 [[nodiscard]] Result<Json> benchFrame(const std::vector<BenchModel>& models, const Effort& effort);
+[[nodiscard]] Result<Json> benchShade(const std::vector<BenchModel>& models, const Effort& effort);
 [[nodiscard]] Result<Json> benchClusters(const std::vector<BenchModel>& models,
                                          const Effort& effort);
 // On models of its own; rays that OpenGL sees end elsewhere are in the figure (`differing`).

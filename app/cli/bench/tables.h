@@ -15,6 +15,9 @@ namespace voxprite::bench {
 // then what budgets save, and what they show.
 [[nodiscard]] std::string clusterTables(const Json& figures);
 
+// The same of benchShade: a row a model.
+[[nodiscard]] std::string shadeTable(const Json& figures);
+
 // The same of benchRaycast: a row for each model, depth and limit.
 [[nodiscard]] std::string raycastTable(const Json& figures);
 
