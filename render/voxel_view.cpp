@@ -98,6 +98,7 @@ struct VoxelView::Impl {
     gl::Program limitedVoxels;  // to a depth above the voxels
     gl::Program backdrop;
     gl::Program clusterVoxels;
+    gl::Program clusterDepth;
     ClusterPass clusters;
     gl::VertexArray nothing = gl::createVertexArray();
     gl::UniformBuffer octreeBlock;
@@ -258,8 +259,14 @@ void VoxelView::Impl::drawClusters(const GpuOctree& octree, const Palette& colou
     clusters.choose(
         {&instance, 1}, camera,
         {.budgetPx = options.clusterBudgetPx, .levelTint = options.tintLevels ? kLevelTint : 0.0f});
-    gl::apply(
-        {.depthTest = gl::DepthTest::nearer, .depthWrite = true, .cull = gl::Cull::backFaces});
+    // Depth first, so that what is hidden is not shaded.
+    gl::apply({.depthTest = gl::DepthTest::nearer,
+               .depthWrite = true,
+               .colourWrite = false,
+               .cull = gl::Cull::backFaces});
+    gl::useProgram(clusterDepth);
+    clusters.draw();
+    gl::apply({.depthTest = gl::DepthTest::nearerOrEqual, .cull = gl::Cull::backFaces});
     gl::useProgram(clusterVoxels);
     clusters.draw();
 }
@@ -328,6 +335,9 @@ Result<VoxelView> VoxelView::create() {
     Result<gl::Program> clusterVoxels =
         gl::compileProgram("cluster_view.vert", "cluster_view.frag");
     if (!clusterVoxels) return tl::unexpected(clusterVoxels.error());
+    Result<gl::Program> clusterDepth =
+        gl::compileProgram("cluster_view.vert", "cluster_depth.frag");
+    if (!clusterDepth) return tl::unexpected(clusterDepth.error());
     Result<ClusterPass> clusters = ClusterPass::create();
     if (!clusters) return tl::unexpected(clusters.error());
     Result<gl::Program> limited =
@@ -336,6 +346,7 @@ Result<VoxelView> VoxelView::create() {
     impl->voxels = std::move(*voxels);
     impl->limitedVoxels = std::move(*limited);
     impl->clusterVoxels = std::move(*clusterVoxels);
+    impl->clusterDepth = std::move(*clusterDepth);
     impl->clusters = std::move(*clusters);
     impl->backdrop = std::move(*backdrop);
     return VoxelView(std::move(impl));

@@ -42,7 +42,8 @@ void apply(const DrawState& state) {
     enable(GL_CULL_FACE, state.cull != Cull::none);
     glCullFace(state.cull == Cull::frontFaces ? GL_FRONT : GL_BACK);
     glFrontFace(GL_CCW);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    const GLboolean colour = state.colourWrite ? GL_TRUE : GL_FALSE;
+    glColorMask(colour, colour, colour, colour);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_STENCIL_TEST);

@@ -17,6 +17,7 @@ enum class Cull : std::uint8_t { none, frontFaces, backFaces };
 struct DrawState {
     DepthTest depthTest = DepthTest::off;
     bool depthWrite = false;
+    bool colourWrite = true;
     bool blend = false;  // straight alpha over what is there
     Cull cull = Cull::none;
 };

@@ -4,6 +4,9 @@
 // rounds corners to parts of a pixel, and pixels between the two edges would show what is behind.
 // So every quad is widened in its own plane, by just more than rounding can open.
 
+// A pass over depth and one over colours meet in the same pixels.
+invariant gl_Position;
+
 struct ClusterCorner {
     vec3 from_eye_cell;  // tree space, from the instance's eye cell; not widened
     int face;            // outward: 0 +x, 1 +y, 2 +z, 3 -x, 4 -y, 5 -z

@@ -82,6 +82,7 @@ bool inShadow(vec3 at, ivec3 cell, inout Cursor cursor) {
     if (any(lessThan(cell, view_box_low)) || any(greaterThanEqual(cell, view_box_high))) {
         return false;
     }
+    position_bits = kRayEdgeBits - int(svo_max_depth);
     mirrorLines(latticeDirection(sun.xyz, largest(abs(sun.xyz))), view_box_low, view_box_high,
                 ivec3(0));
     ivec3 start = clamp(latticePosition(at), (cell << position_bits) + 1,

@@ -169,6 +169,42 @@ TEST_F(ClusterPictures, TheFinestAreThePixelsThatRaysSee) {
     EXPECT_LT(wrong_, 2e-3 * static_cast<double>(hits_));
 }
 
+// Edges, shade, shadow and marks are where rays have them.
+TEST_F(ClusterPictures, TheVoxelViewLosesNothing) {
+    Model knight(sample("knight.vox"));
+    Model inside(room());
+    const GpuModel marked(test::solidBox({9, 9, 12}, 3));
+    const Rgba8 tint{255, 160, 40, 110};
+    for (const Model* model : {&knight, &inside}) {
+        const PlacedEntity placed = model->placed(0.0);
+        // A part of the model's own box, so that marks lie on its surface, before and behind it.
+        PlacedEntity part = placed;
+        part.modelSize = marked.octree.size;
+        for (const OrbitAngles& angles : {OrbitAngles{35, 25, 0}, OrbitAngles{-70, 50, 0}}) {
+            const Camera eye = camera(placed, angles, model == &knight ? 1.5 : 0.3);
+            const auto draw = [&](const GpuClusters* clusters) {
+                VoxelViewOptions options;
+                options.shadow = true;
+                options.clusters = clusters;
+                options.clusterBudgetPx = 0.0;
+                Frame frame(kViewport);
+                view_->draw(frame, model->rays.gpu, model->rays.palette, placed, eye, options);
+                view_->drawMarked(frame, marked.gpu, marked.palette, part, eye, tint, 1.0f);
+                return frame.readColour();
+            };
+            const Image rays = draw(nullptr);
+            const Image clusters = draw(&model->clusters);
+            int wrong = 0;
+            for (std::size_t k = 0; k < rays.pixels.size(); ++k) {
+                const glm::ivec3 off =
+                    glm::abs(glm::ivec3(rays.pixels[k]) - glm::ivec3(clusters.pixels[k]));
+                wrong += std::max({off.x, off.y, off.z}) > 3;
+            }
+            EXPECT_LE(wrong, kViewport.x * kViewport.y / 250);
+        }
+    }
+}
+
 TEST_F(ClusterPictures, NoMixOfLevelsHasCracks) {
     Model knight(sample("knight.vox"));
     Model cottage(sample("cottage.vox"));

@@ -1,0 +1,3 @@
+// Depth alone: what is hidden is then not shaded.
+
+void main() {}
