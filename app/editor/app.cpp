@@ -282,7 +282,13 @@ void App::dumpLayout() {
     const SceneFigures& sprites = sprite_.figures();
     state["sprites"] = {{"entities", sprites.entities},
                         {"drawn", sprites.stats.drawn},
-                        {"draw_calls", sprites.stats.drawCalls}};
+                        {"draw_calls", sprites.stats.drawCalls},
+                        {"drawn_by", sprites.stats.drawnBy}};
+    const RepresentationSettings& representations = settings_.scene.representations;
+    state["representations"] = {{"compared", representations.compared},
+                                {"flying", representations.flying},
+                                {"size_px", representations.comparedSizePx},
+                                {"measured", sprites.progress.empty()}};
     const OrbitCamera& camera = voxels_.camera();
     state["camera"] = {{"yaw", camera.yawDegrees},
                        {"pitch", camera.pitchDegrees},

@@ -26,14 +26,14 @@ inline constexpr double kLeastComparedPx = 4.0, kMostComparedPx = 128.0;
 
 struct RepresentationSettings {
     DrawRule rule = DrawRule::exact;
-    double errorBudget = 0.2;
-    int coarserLevels = 1;              // of what is drawn coarse by choice
-    std::string views = "canonical26";  // of snapshots, see core/sprite/view_set.h
-    double clusterBudgetPx = 1.0;       // 0 ... kMostClusterBudgetPx
-    bool tint = false;                  // entities tell by their colour what was chosen
-    bool compared = false;              // the sprite view shows them side by side
-    double comparedSizePx = 24.0;       // from how far
-    bool flying = false;                // ... which changes by itself
+    double errorBudget = 0.35;
+    int coarserLevels = 1;                // of what is drawn coarse by choice
+    std::string views = "octahedral:16";  // of snapshots, see core/sprite/view_set.h
+    double clusterBudgetPx = 1.0;         // 0 ... kMostClusterBudgetPx
+    bool tint = false;                    // entities tell by their colour what was chosen
+    bool compared = false;                // the sprite view shows them side by side
+    double comparedSizePx = 24.0;         // from how far
+    bool flying = false;                  // ... which changes by itself
     bool operator==(const RepresentationSettings&) const = default;
 
     [[nodiscard]] std::optional<RepresentationChoice> forced() const {

@@ -50,8 +50,11 @@ std::string percentText(double share) {
 
 std::string costText(double microseconds) {
     std::array<char, 32> text{};
-    const char* form = microseconds < 10.0 ? "%.1f µs" : "%.0f µs";
-    std::snprintf(text.data(), text.size(), form, microseconds);
+    const char* form = microseconds < 10.0    ? "%.1f µs"
+                       : microseconds < 999.5 ? "%.0f µs"
+                                              : "%.1f ms";
+    std::snprintf(text.data(), text.size(), form,
+                  microseconds < 999.5 ? microseconds : microseconds / 1000.0);
     return text.data();
 }
 
@@ -100,7 +103,9 @@ Status RepresentationCells::draw(SceneRenderer& renderer, const Subject& subject
     const RepresentationTable& table = library.tableOf(subject.octree);
     edgePx_ = edgeAtSize(sizePx);
     const glm::ivec2 area = areas_.front().size;
-    zoom_ = std::clamp(std::min(area.x, area.y) / edgePx_, 1, kMostZoom);
+    // The sphere around the model is larger than what shows of it.
+    const int least = std::max(1, static_cast<int>(std::ceil(1.9 * sizePx)));
+    zoom_ = std::clamp(std::min(area.x, area.y) / least, 1, kMostZoom);
     const glm::ivec2 framePx = (area + zoom_ - 1) / zoom_;
     SceneEntity exact{subject.octree, subject.palette, subject.placed};
     exact.placed.anchorMetres -= exact.placed.centreMetres();
@@ -182,9 +187,10 @@ void RepresentationCells::show(Ui& ui, const ViewCanvas& canvas, const LevelLibr
                 const glm::dvec2 all(cell.frame->sizePx());
                 const glm::dvec2 part = glm::min(glm::dvec2(edgePx_), all);
                 const glm::dvec2 least = 0.5 - 0.5 * part / all, most = 0.5 + 0.5 * part / all;
-                const float edge = static_cast<float>(part.x), pad = theme.px(10);
-                const ImVec2 low(to.x - pad - edge, to.y - pad - edge),
-                    high(to.x - pad, to.y - pad);
+                const float pad = theme.px(10);
+                const ImVec2 low(from.x + pad, from.y + pad);
+                const ImVec2 high(low.x + static_cast<float>(part.x),
+                                  low.y + static_cast<float>(part.y));
                 draw.AddRectFilled(low, high, kBackTop, theme.px(3));
                 draw.AddImage(texture, low, high,
                               {static_cast<float>(least.x), static_cast<float>(most.y)},
@@ -200,9 +206,10 @@ void RepresentationCells::show(Ui& ui, const ViewCanvas& canvas, const LevelLibr
     if (!progress.empty()) {
         ImFont* small = theme.fonts.small;
         const ImVec2 text = small->CalcTextSizeA(small->FontSize, FLT_MAX, 0.0f, progress.c_str());
-        const ImVec2 at(min.x + theme.px(10), min.y + theme.px(10));
-        draw.AddRectFilled(at, {at.x + text.x + theme.px(16), at.y + text.y + theme.px(8)}, kPill,
-                           theme.px(6));
+        const ImVec2 size(text.x + theme.px(16), text.y + theme.px(8));
+        const ImVec2 at(max.x - theme.px(10) - size.x,
+                        max.y - static_cast<float>(barPx(theme)) - theme.px(10) - size.y);
+        draw.AddRectFilled(at, {at.x + size.x, at.y + size.y}, kPill, theme.px(6));
         draw.AddText(small, small->FontSize, {at.x + theme.px(8), at.y + theme.px(4)}, kPillDim,
                      progress.c_str());
     }
@@ -234,15 +241,21 @@ void RepresentationCells::caption(Ui& ui, const Cell& cell, ImVec2 min, ImVec2 m
     ImFont *bold = theme.fonts.bold, *small = theme.fonts.small;
     const ImVec2 nameSize = bold->CalcTextSizeA(bold->FontSize, FLT_MAX, 0.0f, name.c_str());
     const ImVec2 detailSize = small->CalcTextSizeA(small->FontSize, FLT_MAX, 0.0f, detail.c_str());
+    const std::string mark = chosen ? std::string(icon::kCheck) + " chosen" : "";
+    const ImVec2 markSize = small->CalcTextSizeA(small->FontSize, FLT_MAX, 0.0f, mark.c_str());
     const float dot = theme.px(5), pad = theme.px(10);
-    const ImVec2 size(2 * pad + std::max(nameSize.x + 2 * dot + theme.px(8), detailSize.x),
-                      theme.px(44));
+    const float nameX = pad + 2 * dot + theme.px(8);
+    const float markX = nameX + nameSize.x + theme.px(10);
+    const float first = chosen ? markX + markSize.x : nameX + nameSize.x;
+    const ImVec2 size(pad + std::max(first, pad + detailSize.x), theme.px(44));
     const ImVec2 at(min.x + pad, max.y - pad - size.y);
     draw.AddRectFilled(at, {at.x + size.x, at.y + size.y}, kPill, theme.px(6));
     const float line = at.y + theme.px(5);
     draw.AddCircleFilled({at.x + pad + dot, line + nameSize.y * 0.5f}, dot, toImU32(tintOf(kind)));
-    draw.AddText(bold, bold->FontSize, {at.x + pad + 2 * dot + theme.px(8), line}, kPillText,
-                 name.c_str());
+    draw.AddText(bold, bold->FontSize, {at.x + nameX, line}, kPillText, name.c_str());
+    draw.AddText(small, small->FontSize,
+                 {at.x + markX, line + std::round((nameSize.y - markSize.y) * 0.5f)}, theme.accent,
+                 mark.c_str());
     const bool over = cell.error && *cell.error > settings.errorBudget;
     draw.AddText(small, small->FontSize, {at.x + pad, at.y + theme.px(24)},
                  over ? IM_COL32(255, 150, 130, 255) : kPillDim, detail.c_str());
@@ -252,13 +265,6 @@ void RepresentationCells::caption(Ui& ui, const Cell& cell, ImVec2 min, ImVec2 m
     const float width = theme.px(2), half = width * 0.5f;
     draw.AddRect({min.x + half, min.y + half}, {max.x - half, max.y - half}, theme.accent, 0.0f, 0,
                  width);
-    const std::string label = std::string(icon::kCheck) + " Chosen";
-    const ImVec2 labelSize = ImGui::CalcTextSize(label.c_str());
-    const ImVec2 low(at.x + size.x + theme.px(6), at.y + size.y - labelSize.y - theme.px(8));
-    if (low.x + labelSize.x + theme.px(16) > max.x - pad) return;
-    draw.AddRectFilled(low, {low.x + labelSize.x + theme.px(16), at.y + size.y}, theme.accent,
-                       theme.px(6));
-    draw.AddText({low.x + theme.px(8), low.y + theme.px(4)}, theme.onAccent, label.c_str());
 }
 
 void RepresentationCells::drawBar(Ui& ui, ImVec2 min, ImVec2 max) {
@@ -272,25 +278,27 @@ void RepresentationCells::drawBar(Ui& ui, ImVec2 min, ImVec2 max) {
                   button);
     ImGui::SameLine(0.0f, gap);
     std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(),
-                  distanceMetres_ < 100.0 ? "%.1f m   %.0f px high" : "%.0f m   %.0f px high",
-                  distanceMetres_, 2.0 * settings.comparedSizePx);
-    const float textWidth = ImGui::CalcTextSize("9999.9 m   999 px high").x;
+    const char* form = distanceMetres_ < 100.0 ? "%.1f m   %.0f px high" : "%.0f m   %.0f px high";
+    std::snprintf(text.data(), text.size(), form, distanceMetres_, 2.0 * settings.comparedSizePx);
+    const float textX =
+        max.x - pad - button - gap - ImGui::CalcTextSize("9999.9 m   999 px high").x;
     auto share = static_cast<float>(shareOf(settings.comparedSizePx));
-    ImGui::SetCursorScreenPos(
-        {ImGui::GetCursorScreenPos().x,
-         min.y + std::round((max.y - min.y - ImGui::GetFrameHeight()) * 0.5f)});
-    ImGui::SetNextItemWidth(
-        std::max(theme.px(60), max.x - ImGui::GetCursorScreenPos().x - textWidth - 2 * gap - pad));
+    const float middle = (min.y + max.y) * 0.5f;
+    const float sliderX = ImGui::GetCursorScreenPos().x;
+    ImGui::SetCursorScreenPos({sliderX, std::round(middle - ImGui::GetFrameHeight() * 0.5f)});
+    ImGui::SetNextItemWidth(std::max(theme.px(60), textX - sliderX - gap));
     if (ImGui::SliderFloat("##distance", &share, 0.0f, 1.0f, "", ImGuiSliderFlags_NoInput)) {
         settings.comparedSizePx = sizeOf(static_cast<double>(share));
         settings.flying = false;
     }
     ui.probe.markItem("represent.distance");
     tooltip(ui, "From near to far: how large the model shows on the game's screen");
-    draw.AddText({max.x - pad - textWidth,
-                  min.y + std::round((max.y - min.y - ImGui::GetFontSize()) * 0.5f)},
-                 theme.textDim, text.data());
+    draw.AddText({textX, std::round(middle - ImGui::GetFontSize() * 0.5f)}, theme.textDim,
+                 text.data());
+    ImGui::SetCursorScreenPos({max.x - pad - button, std::round(middle - button * 0.5f)});
+    if (iconButton(ui, "represent.close", icon::kClose, Lit::off, button, "Back to the scene")) {
+        ui.commands.ask(CommandId::compareRepresentations);
+    }
 }
 
 }  // namespace voxprite::editor

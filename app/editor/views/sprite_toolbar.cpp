@@ -4,6 +4,7 @@
 
 #include "app/editor/panels/number_text.h"
 #include "app/editor/panels/widgets.h"
+#include "app/editor/views/scene_representations.h"
 
 namespace voxprite::editor {
 namespace {
@@ -42,7 +43,8 @@ void drawPictureScale(Ui& ui, float size) {
 void drawButtons(Ui& ui, const ViewCanvas& canvas) {
     using enum CommandId;
     const Theme& theme = ui.theme;
-    constexpr std::array kCommands{compareTwo, compareFour, saveSprite, copySprite};
+    constexpr std::array kCommands{compareTwo, compareFour, compareRepresentations, saveSprite,
+                                   copySprite};
     const float size = theme.px(kButton), gap = theme.px(2), pad = theme.px(3);
     const float width = (size + gap) * static_cast<float>(kCommands.size()) + size + theme.px(4);
     const ImVec2 corner = canvas.toWindow({canvas.sizePx().x, 0});
@@ -86,10 +88,42 @@ void drawFigures(Ui& ui, const ViewCanvas& canvas) {
                  IM_COL32(225, 227, 231, 255), text.c_str(), nullptr, room);
 }
 
+// What the colours of tinted entities mean, and how many of each are in view.
+void drawLegend(Ui& ui, const ViewCanvas& canvas) {
+    if (!ui.settings.scene.representations.tint || ui.settings.scene.comparison.on()) return;
+    const Theme& theme = ui.theme;
+    const ImFont& small = *theme.fonts.small;
+    const RepresentationShares& shares = ui.figures.scene.shares;
+    const float line = theme.px(20), pad = theme.px(8), dot = theme.px(4);
+    const ImVec2 size(theme.px(132), line * static_cast<float>(shares.size()) + pad);
+    const ImVec2 corner = canvas.toWindow({0, 0});
+    const ImVec2 at(corner.x + theme.px(10), corner.y + theme.px(46));
+    const ImVec2 end(at.x + size.x, at.y + size.y);
+    ImDrawList& draw = canvas.overlay();
+    draw.AddRectFilled(at, end, IM_COL32(16, 17, 19, 205), theme.px(6));
+    ui.probe.mark("sprite.legend", at, end);
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+        const auto kind = static_cast<Representation>(k);
+        const Rgba8 tint = tintOf(kind);
+        const float y = at.y + pad * 0.5f + line * static_cast<float>(k);
+        const float textY = y + std::round((line - small.FontSize) * 0.5f);
+        const std::string count = grouped(static_cast<std::uint64_t>(shares[k].entities));
+        const float width = small.CalcTextSizeA(small.FontSize, FLT_MAX, 0.0f, count.c_str()).x;
+        const ImU32 text =
+            shares[k].entities > 0 ? IM_COL32(235, 237, 241, 255) : IM_COL32(140, 143, 149, 255);
+        draw.AddCircleFilled({at.x + pad + dot, y + line * 0.5f}, dot,
+                             IM_COL32(tint.x, tint.y, tint.z, 255));
+        draw.AddText(&small, small.FontSize, {at.x + pad + 3 * dot, textY}, text, nameOf(kind));
+        draw.AddText(&small, small.FontSize, {at.x + size.x - pad - width, textY}, text,
+                     count.c_str());
+    }
+}
+
 }  // namespace
 
 void drawSpriteToolbar(Ui& ui, const ViewCanvas& canvas) {
     drawFigures(ui, canvas);
+    drawLegend(ui, canvas);
     drawButtons(ui, canvas);
 }
 

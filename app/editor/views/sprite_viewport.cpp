@@ -37,6 +37,7 @@ void add(SceneStats& sum, const SceneStats& stats) {
     sum.casts += stats.casts;
     sum.castsReused += stats.castsReused;
     sum.drawCalls += stats.drawCalls;
+    for (std::size_t k = 0; k < sum.drawnBy.size(); ++k) sum.drawnBy[k] += stats.drawnBy[k];
     sum.atlasBytes = stats.atlasBytes;  // one atlas for all
 }
 
@@ -107,7 +108,7 @@ void SpriteViewport::show(Ui& ui, ImVec2 min, ImVec2 size) {
     } else {
         showAlone(ui, input);
     }
-    drawSpriteToolbar(ui, canvas_);
+    if (!settings.representations.compared) drawSpriteToolbar(ui, canvas_);
     canvas_.end();
 }
 
@@ -274,8 +275,8 @@ void SpriteViewport::followLevels(const Session& session, const GpuOctree& octre
     const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
     library_->follow(scene_.levelSources(session, octree), representations, session.profile(),
                      measured, now.count());
-    // An edit that is only being shown is not what is measured.
-    if (!session.previews()) library_->work(renderer_);
+    // An edit that is only being shown is not what is measured, and a hand at work comes first.
+    if (!session.previews() && !ImGui::IsAnyMouseDown()) library_->work(renderer_);
 }
 
 Result<bool> SpriteViewport::renderCompared(const Session& session, const GpuOctree& octree,
