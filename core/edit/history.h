@@ -4,11 +4,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "core/base/boxed.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/model/document.h"
 #include "core/model/game_profile.h"
 
@@ -54,6 +58,8 @@ struct SceneState {
     bool operator==(const SceneState&) const = default;
 };
 [[nodiscard]] SceneState sceneOf(const Document& document);
+// Do both look the same in every frame, whatever their objects and layers are called?
+[[nodiscard]] bool showsTheSame(const SceneState& a, const SceneState& b);
 struct SceneEdit {
     SceneState before, after;
     std::size_t modelsBefore = 0;
@@ -63,15 +69,26 @@ struct SceneEdit {
 using ActionPart =
     std::variant<VoxelPatch, PaletteEdit, EntityEdit, ProfileEdit, SocketsEdit, SceneEdit>;
 
+// Finds the patches of an edit in a document; on any thread, and any number of times.
+using MakePatches = std::function<Result<std::vector<VoxelPatch>>(const Document&)>;
+// Of one patch, or why there is none.
+[[nodiscard]] Result<std::vector<VoxelPatch>> onePatch(Result<VoxelPatch> patch);
+
 struct Action {
     std::string label;  // "Attach 12 voxels"; shown in the history panel
     std::vector<ActionPart> parts;
     // Actions with the same non-zero key that follow each other become one step (a slider drag, a
     // stroke of the brush), with the later label. A new stroke takes a new key.
     std::uint64_t mergeKey = 0;
+    // For an edit of very many voxels, whose patches take long to find: they are found when it is
+    // carried out, which may be on another thread, and stand behind `parts`. Empty after
+    // makeParts().
+    MakePatches makePatches;
 
     [[nodiscard]] std::size_t bytes() const;  // memory held, about
 };
+// Has `action` say all that it does. Fails as its makePatches does.
+[[nodiscard]] Status makeParts(Action& action, const Document& document);
 
 // What the artist edits.
 struct Workspace {
@@ -83,7 +100,7 @@ struct Workspace {
 struct Changed {
     struct Voxels {
         int model = 0;
-        std::vector<glm::ivec3> positions;  // model space
+        std::vector<glm::ivec3> positions;  // model space; of a prepared step: none, it may be all
     };
     std::vector<Voxels> voxels;
     bool palette = false;
@@ -98,6 +115,18 @@ struct Changed {
     }
 };
 
+// A step carried out on a copy of the workspace: see History::prepare().
+struct PreparedStep {
+    enum class Way : std::uint8_t { execute, undo, redo };
+    Way way = Way::execute;
+    Workspace workspace{};  // as the step leaves it
+    Action action{};        // of Way::execute
+    // Of the others, what undoing and redoing changes in the step itself, by the number of the
+    // part.
+    std::vector<std::pair<std::size_t, ActionPart>> parts{};
+    Changed changed{};
+};
+
 class History {
   public:
     // Applies `action` and records it; an action that changes nothing is not recorded. Drops the
@@ -108,6 +137,18 @@ class History {
     // Nothing to undo or redo: returns nothing changed.
     Changed undo(Workspace& workspace);
     Changed redo(Workspace& workspace);
+
+    // The same in two halves, for steps of very many voxels. What takes long changes nothing here,
+    // so that it can go on on another thread while nobody else changes history or workspace; then
+    // commit() puts the step in force at once. They fail when they are stopped, execution also as
+    // makeParts() does; undo and redo need a step to go to.
+    [[nodiscard]] static Result<PreparedStep> prepare(const Workspace& workspace, Action action,
+                                                      const Progress& progress = {});
+    [[nodiscard]] Result<PreparedStep> prepareUndo(const Workspace& workspace,
+                                                   const Progress& progress = {}) const;
+    [[nodiscard]] Result<PreparedStep> prepareRedo(const Workspace& workspace,
+                                                   const Progress& progress = {}) const;
+    Changed commit(Workspace& workspace, PreparedStep step);
 
     [[nodiscard]] bool canUndo() const { return position_ > 0; }
     [[nodiscard]] bool canRedo() const { return position_ < steps_.size(); }

@@ -17,4 +17,12 @@ template <class Part>
     return action;
 }
 
+// An action whose voxels are found when it is carried out.
+[[nodiscard]] inline Action makeActionLater(std::string label, MakePatches makePatches) {
+    Action action;
+    action.label = std::move(label);
+    action.makePatches = std::move(makePatches);
+    return action;
+}
+
 }  // namespace voxprite

@@ -64,6 +64,10 @@ enum class PaletteOrder : std::uint8_t {
 // left with fewer than two goes. Fewer than two colours change nothing.
 [[nodiscard]] Palette withRamp(Palette palette, std::span<const std::uint8_t> indices);
 [[nodiscard]] Palette withoutRamp(Palette palette, std::size_t ramp);
+// The step `from` of a ramp becomes its step `to`; those between make room. What comes before a
+// step is what its shadow may be.
+[[nodiscard]] Palette withRampStepMoved(Palette palette, std::size_t ramp, std::size_t from,
+                                        std::size_t to);
 // Ramps for those of `indices` that stand in none: from dark to light, each colour goes on from the
 // nearest that has about its hue (within 30 degrees; greys among themselves) and is darker.
 [[nodiscard]] Palette withSuggestedRamps(Palette palette, std::span<const std::uint8_t> indices);

@@ -63,6 +63,16 @@ Palette withRamp(Palette palette, std::span<const std::uint8_t> indices) {
     return palette;
 }
 
+Palette withRampStepMoved(Palette palette, std::size_t ramp, std::size_t from, std::size_t to) {
+    if (ramp >= palette.ramps.size()) return palette;
+    std::vector<std::uint8_t>& steps = palette.ramps[ramp].indices;
+    if (from >= steps.size() || to >= steps.size()) return palette;
+    const std::uint8_t step = steps[from];
+    steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(from));
+    steps.insert(steps.begin() + static_cast<std::ptrdiff_t>(to), step);
+    return palette;
+}
+
 Palette withoutRamp(Palette palette, std::size_t ramp) {
     palette.ramps.erase(palette.ramps.begin() + static_cast<std::ptrdiff_t>(ramp));
     return palette;

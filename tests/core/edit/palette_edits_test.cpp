@@ -207,6 +207,18 @@ TEST(PaletteEdits, RampsGoFromDarkToLightAndShareNothing) {
     EXPECT_EQ(withoutRamp(palette, 0).ramps.size(), 1u);
 }
 
+TEST(PaletteEdits, StepsOfARampGoWhereTheyAreDragged) {
+    Palette palette = documentOfColours().palette;
+    palette.ramps = {{"", {1, 4, 9, 3}}};
+    EXPECT_EQ(withRampStepMoved(palette, 0, 0, 2).ramps[0].indices, (Indices{4, 9, 1, 3}));
+    EXPECT_EQ(withRampStepMoved(palette, 0, 3, 0).ramps[0].indices, (Indices{3, 1, 4, 9}));
+    EXPECT_EQ(withRampStepMoved(palette, 0, 2, 2), palette);
+    EXPECT_EQ(withRampStepMoved(palette, 0, 4, 0), palette);
+    EXPECT_EQ(withRampStepMoved(palette, 0, 0, 4), palette);
+    EXPECT_EQ(withRampStepMoved(palette, 1, 0, 1), palette);
+    EXPECT_TRUE(validate(withRampStepMoved(palette, 0, 1, 3)));
+}
+
 TEST(PaletteEdits, SuggestedRampsFollowAHue) {
     Palette palette;
     const auto set = [&](std::size_t index, int r, int g, int b) {
