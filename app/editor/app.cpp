@@ -16,6 +16,11 @@
 #include "core/io/profile_json.h"
 
 namespace voxprite::editor {
+namespace {
+
+constexpr double kCommandSeconds = 0.04;  // of a frame, for what was asked for
+
+}  // namespace
 
 Status App::openAtStart(const std::filesystem::path& file) {
     Status opened = session_.open(file);
@@ -49,25 +54,54 @@ void App::frame(const Theme& theme, const std::vector<InputEvent>& events) {
     // An edit answers the oldest input of its frame.
     editStart_.reset();
     if (!events.empty()) editStart_ = events.front().seconds;
-    const auto passed = static_cast<double>(ImGui::GetIO().DeltaTime);
-    context_.report(playback_.advance(session_, settings_.view, passed));
+    if (!files_.blocks()) {
+        const auto passed = static_cast<double>(ImGui::GetIO().DeltaTime);
+        context_.report(playback_.advance(session_, settings_.view, passed));
+    }
     session_.limitHistory(static_cast<std::size_t>(settings_.window.historyMegabytes) << 20);
     objects_.follow(session_);
     figures_.strokeSize.clear();
     Ui ui{theme, session_, settings_, edits_, commands_, context_, probe_, figures_, path};
     commands_.askByKeys(settings_.input.keys);
     buildUi(ui);
-    for (Action& action : edits_.take()) context_.perform(std::move(action));
-    for (const CommandId id : commands_.take()) {
-        // A file holds what is seen: what a tool is still making, too.
-        if (commandOf(id).menu == MenuId::file) keepToolsWork();
-        if (isEnabled(id, context_)) commandOf(id).run(context_);
-    }
+    performEdits();
+    runCommands();
     if (files_.takeReplaced()) startOver();
     lockCameras();
+    clock_.end(FramePart::work);
     renderViews();
+    clock_.end(FramePart::draw);
     keepCopy();
+    clock_.end(FramePart::work);
     dumpLayout();
+}
+
+void App::performEdits() {
+    for (Action& action : edits_.take()) {
+        // One long step at a time: the others come after it.
+        if (files_.blocks()) {
+            edits_.push(std::move(action));
+        } else {
+            context_.perform(std::move(action));
+        }
+    }
+}
+
+void App::runCommands() {
+    const double begin = Window::seconds();
+    for (const CommandId id : commands_.take()) {
+        // Many steps of the history may be asked for at once.
+        const bool late = Window::seconds() - begin > kCommandSeconds;
+        const Command& command = commandOf(id);
+        // A file holds what is seen: what a tool is still making, too.
+        const bool settles = command.settles || command.menu == MenuId::file;
+        if (!late && !files_.blocks() && settles) keepToolsWork();
+        if (late || files_.blocks()) {
+            commands_.ask(id);
+        } else if (isEnabled(id, context_)) {
+            command.run(context_);
+        }
+    }
 }
 
 void App::buildUi(Ui& ui) {
@@ -77,7 +111,7 @@ void App::buildUi(Ui& ui) {
         layoutFor(theme, window, settings_.window, timelineHeight(theme, session_, settings_));
 
     std::string refusal;
-    voxels_.show(ui, layout.edit.min, layout.edit.size, refusal);
+    voxels_.show(ui, layout.edit.min, layout.edit.size, !files_.blocks(), refusal);
     sprite_.show(ui, layout.sprite.min, layout.sprite.size);
     figures_.hovered.reset();
     if (voxels_.hovered()) figures_.hovered = voxels_.hovered()->voxel;
@@ -145,7 +179,9 @@ void App::drawDock(Ui& ui) {
 }
 
 void App::drawOverlays(Ui& ui, const Layout& layout) {
-    if (const auto work = recovery_.draw(ui)) recover(*work);
+    if (!files_.blocks()) {
+        if (const auto work = recovery_.draw(ui)) recover(*work);
+    }
     overlays_.palette.draw(ui);
     overlays_.preferences.draw(ui);
     overlays_.tour.draw(ui, layout);
@@ -156,7 +192,7 @@ void App::drawOverlays(Ui& ui, const Layout& layout) {
 }
 
 void App::keepToolsWork() {
-    if (auto action = voxels_.tools().confirm(session_)) context_.perform(std::move(*action));
+    static_cast<void>(context_.settle());
 }
 
 Status App::keepCopiesIn(const std::filesystem::path& recovery) {
@@ -194,7 +230,7 @@ void App::startOver() {
     sprite_.forget();
     framed_ = false;
     figures_.editMilliseconds.reset();
-    longestFrameMilliseconds_ = 0.0;
+    clock_.forget();
 }
 
 void App::renderViews() {
@@ -206,6 +242,7 @@ void App::renderViews() {
     const OctreeChanges changes = session_.takeOctreeChanges();
     const OctreeView view = session_.shownOctree().view(session_.shownBounds());
     if (changes.any() || octree_.size() != view.size) octree_.update(view, changes);
+    clock_.end(FramePart::upload);
 
     bool drew = voxels_.render(session_, octree_, settings_);
     const Result<bool> sprite = sprite_.render(session_, octree_, settings_);
@@ -256,8 +293,9 @@ std::string App::openDialog() const {
 }
 
 bool App::animates() const {
-    if (sprite_.animates(settings_) || files_.isWorking()) return true;
-    if (voxels_.turns() || sprite_.turns() || voxels_.prepares()) return true;
+    if (sprite_.animates(settings_) || files_.isWorking() || commands_.any()) return true;
+    if (voxels_.turns() || voxels_.prepares() || sprite_.turns()) return true;
+    if (voxels_.tools().previewsLater()) return true;
     return settings_.view.playing && session_.frames() > 1;
 }
 
@@ -297,7 +335,13 @@ void App::dumpLayout() {
     const auto copied = autosave_ ? autosave_->copiedPosition() : std::nullopt;
     state["copied"] = copied ? static_cast<long long>(*copied) : -1;
     state["working"] = files_.isWorking();
-    state["longest_frame_ms"] = std::round(longestFrameMilliseconds_);
+    state["longest_frame_ms"] = std::round(clock_.longestFrame());
+    // Busy time of the window's thread, rounded up to what a glance can tell apart.
+    const auto busy = [&](FramePart part) { return std::ceil(clock_.longest(part) / 5.0) * 5.0; };
+    state["busy_ms"] = {{"work", busy(FramePart::work)},
+                        {"upload", busy(FramePart::upload)},
+                        {"draw", busy(FramePart::draw)},
+                        {"present", busy(FramePart::present)}};
     if (const auto& hovered = voxels_.hovered()) {
         const glm::ivec3 v = hovered->voxel, n = hovered->normal;
         state["hovered"] = {

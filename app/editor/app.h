@@ -18,6 +18,7 @@
 #include "app/editor/session/playback.h"
 #include "app/editor/views/sprite_viewport.h"
 #include "app/editor/views/voxel_viewport.h"
+#include "app/editor/window/frame_clock.h"
 #include "app/editor/window/input.h"
 
 namespace voxprite::editor {
@@ -44,11 +45,12 @@ class App {
         files_.quit();
     }
     // A script waits for what goes on behind the window; an artist never does.
-    void finishWork() { files_.finishWork(); }
-    // How long the last frame took, from its input to its picture.
-    void noteFrame(double milliseconds) {
-        longestFrameMilliseconds_ = std::max(longestFrameMilliseconds_, milliseconds);
+    void finishWork() {
+        files_.finishWork();
+        voxels_.tools().finishPreview(session_);
     }
+    // Of the frames since a document was opened; whoever runs them begins and finishes each.
+    [[nodiscard]] FrameClock& clock() { return clock_; }
     // From now on unsaved work is copied into this folder, in the background; what an editor that
     // crashed has left there is offered.
     [[nodiscard]] Status keepCopiesIn(const std::filesystem::path& recovery);
@@ -82,8 +84,11 @@ class App {
     void dumpLayout();
     [[nodiscard]] std::string openDialog() const;
 
-    // What a tool is still making becomes part of the document.
+    // What a tool is still making, and what is in the air, becomes part of the document.
     void keepToolsWork();
+    // What the user interface has asked for this frame.
+    void performEdits();
+    void runCommands();
     void recover(const LostWork& work);
     void keepCopy();
     // Another document is open: nothing of the last one's is remembered.
@@ -115,7 +120,7 @@ class App {
     // When the input that this frame answers arrived.
     std::optional<double> editStart_;
     std::uint64_t shownModel_ = 0;
-    double longestFrameMilliseconds_ = 0.0;  // since a document was opened
+    FrameClock clock_;
     struct CameraPair {
         OrbitCamera edit, sprite;
     } before_;  // of the frame before, to see which one was moved

@@ -8,6 +8,7 @@
 #include "app/editor/window/imgui_host.h"
 #include "app/editor/window/play_script.h"
 #include "core/base/file.h"
+#include "core/io/formats.h"
 #include "core/io/png.h"
 
 namespace voxprite {
@@ -119,6 +120,7 @@ Status Editor::saveScreenshot(const std::filesystem::path& path) const {
 }
 
 Status Editor::oneFrame() {
+    app_.clock().begin();
     const std::vector<InputEvent> events = eventsOfFrame();
     if (!events.empty()) unsettled_ = kFramesToSettle;
     const double now = Window::seconds();
@@ -141,7 +143,9 @@ Status Editor::oneFrame() {
     }
     screenshots_.clear();
     window_.swapBuffers();
-    app_.noteFrame((Window::seconds() - now) * 1000.0);
+    app_.clock().finish();
+    // The first frame sets up fonts and shaders, whatever is to be seen.
+    if (frame_ == 0) app_.clock().forget();
     window_.setTitle(app_.windowTitle());
     return {};
 }
@@ -167,6 +171,17 @@ Status Editor::run() {
     return {};
 }
 
+// For a hand the window is there at once and reads the file behind itself; what could not be a
+// model is refused before.
+Status openFirst(App& app, const std::filesystem::path& file, bool automatic) {
+    if (automatic) return app.openAtStart(file);
+    if (const Result<Format> format = formatOf(file); !format) return Failure(format.error());
+    std::error_code unknown;
+    if (!std::filesystem::is_regular_file(file, unknown)) return app.openAtStart(file);
+    app.requestOpen(file);
+    return {};
+}
+
 }  // namespace
 }  // namespace editor
 
@@ -177,7 +192,9 @@ Status runEditor(const EditorOptions& options) {
     EditorSettings settings = automatic ? EditorSettings{} : loadSettings(settingsPath());
     if (automatic) settings.window.tourSeen = true;
 
-    Result<Window> window = Window::open("voxprite", options.windowPx, options.contentScale);
+    WindowPlace place = settings.window.place;
+    if (options.windowPx) place = {.width = options.windowPx->x, .height = options.windowPx->y};
+    Result<Window> window = Window::open("voxprite", place, options.contentScale);
     if (!window) return Failure(window.error());
     Result<ImGuiHost> host = ImGuiHost::create(*window);
     if (!host) return Failure(host.error());
@@ -187,7 +204,9 @@ Status runEditor(const EditorOptions& options) {
         if (Status opened = (*app)->openProfileAtStart(*options.profile); !opened) return opened;
     }
     if (!options.files.empty()) {
-        if (Status opened = (*app)->openAtStart(options.files.front()); !opened) return opened;
+        if (Status opened = openFirst(**app, options.files.front(), automatic); !opened) {
+            return opened;
+        }
     }
     if (options.files.size() > 1) {
         (*app)->say("One document at a time: " + options.files.front().filename().string() +
@@ -204,8 +223,10 @@ Status runEditor(const EditorOptions& options) {
     if (Status started = editor.startReplay(); !started) return started;
     if (Status ran = editor.run(); !ran) return ran;
     if ((*app)->quits()) (*app)->dropCopies();
-    if (automatic || (*app)->settings() == settings) return {};
-    return saveSettings(settingsPath(), (*app)->settings());
+    if (automatic) return {};
+    EditorSettings used = (*app)->settings();
+    if (!options.windowPx) used.window.place = window->place(used.window.place);
+    return used == settings ? Status() : saveSettings(settingsPath(), used);
 }
 
 }  // namespace voxprite

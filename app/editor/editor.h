@@ -18,7 +18,8 @@ struct EditorOptions {
     std::optional<std::filesystem::path> screenshot;
     int frames = 3;
     // At content scale 1; the window is that much larger on a denser display, as far as it fits.
-    glm::ivec2 windowPx{1280, 800};
+    // Not set: as large as it was last, and where it was; 1280x800 the first time.
+    std::optional<glm::ivec2> windowPx;
     std::optional<double> contentScale;  // else the display's own (Xft.dpi and its like)
     // JSON lines of input, replayed instead of the user's (see play_script.h).
     std::optional<std::filesystem::path> playScript;

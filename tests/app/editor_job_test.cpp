@@ -6,6 +6,7 @@
 
 #include "app/editor/session/background_job.h"
 #include "app/editor/session/session.h"
+#include "core/edit/make_action.h"
 #include "core/edit/patches.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/voxels.h"
@@ -79,7 +80,7 @@ TEST(EditorBackgroundJob, AnEndMayStartTheNext) {
 
 Action dab(const Session& session, glm::ivec3 at) {
     const std::vector positions{at};
-    return {"Dab", {patchVoxels(session.document(), 0, positions, EditMode::attach, 9)}};
+    return makeAction("Dab", patchVoxels(session.document(), 0, positions, EditMode::attach, 9));
 }
 
 TEST(EditorSession, WhatIsDrawnWhileSavingIsUnsaved) {

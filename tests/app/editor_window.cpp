@@ -126,7 +126,8 @@ void EditorWindow::startEditor(std::vector<std::string> arguments) {
                                        file("record.jsonl").string()});
     std::filesystem::remove(file("layout.json"));  // what an editor before this one said
     editor_ = Process(arguments, environment(), file("editor.log"));
-    await("the editor to show itself", [](const auto&) { return true; });
+    await("the editor to show itself, and the file that was named",
+          [](const auto& now) { return now.at("state").at("working") == false; });
 }
 
 int EditorWindow::runEditor(std::vector<std::string> arguments) {

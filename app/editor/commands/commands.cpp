@@ -8,7 +8,6 @@
 
 #include "app/editor/commands/command_context.h"
 #include "app/editor/commands/tables.h"
-#include "app/editor/panels/toasts.h"
 
 namespace voxprite::editor {
 namespace {
@@ -149,10 +148,6 @@ void CommandQueue::askByKeys(const Keymap& keymap) {
             if (isPressed(chord, command.repeats, io)) ask(command.id);
         }
     }
-}
-
-void CommandContext::report(const Status& status) const {
-    if (!status) toasts.error(status.error().describe());
 }
 
 }  // namespace voxprite::editor

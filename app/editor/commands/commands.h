@@ -237,6 +237,7 @@ struct Command {
     std::array<Chord, 2> chords{};  // unless the settings say otherwise; {} is none
     bool separator = false;         // above it in its menu
     bool repeats = false;           // while its key is held
+    bool settles = false;           // what is in the air, or being made, is put down first
     void (*run)(CommandContext& context) = nullptr;
     // Can it be used now? Always, when there is none.
     bool (*enabled)(const CommandContext& context) = nullptr;
@@ -274,6 +275,7 @@ class CommandQueue {
     // dialog is in front.
     void askByKeys(const Keymap& keymap);
     [[nodiscard]] std::vector<CommandId> take() { return std::exchange(asked_, {}); }
+    [[nodiscard]] bool any() const { return !asked_.empty(); }
 
   private:
     std::vector<CommandId> asked_;

@@ -23,7 +23,7 @@ std::span<const Command> editCommands() {
                         // What is only being made is the first thing to take back.
                         ToolBox& tools = c.editView.tools();
                         if (tools.busy()) return tools.cancel(c.session);
-                        c.report(c.session.undo());
+                        c.undo();
                     },
                 .enabled =
                     [](const CommandContext& c) {
@@ -39,7 +39,7 @@ std::span<const Command> editCommands() {
                 .run =
                     [](CommandContext& c) {
                         c.editView.tools().cancel(c.session);
-                        c.report(c.session.redo());
+                        c.redo();
                     },
                 .enabled = [](const CommandContext& c) { return c.session.history().canRedo(); }},
     };

@@ -5,6 +5,7 @@
 
 #include "app/editor/commands/command_context.h"
 #include "app/editor/commands/tables.h"
+#include "app/editor/panels/toasts.h"
 #include "app/editor/session/object_selection.h"
 #include "app/editor/session/selection_edits.h"
 #include "app/editor/views/voxel_viewport.h"
@@ -27,14 +28,6 @@ bool movesSomething(const CommandContext& c) {
     return hasFloating(c) || hasSelection(c) || c.settings.tool.tool == ToolKind::move;
 }
 
-// What is in the air comes down first, as with every other edit.
-void settle(CommandContext& c) {
-    if (auto made = c.editView.tools().confirm(c.session)) c.perform(std::move(*made));
-    Result<std::optional<Action>> action = putDown(c.session);
-    if (!action) return c.report(Failure(action.error()));
-    if (*action) c.perform(std::move(**action));
-}
-
 void makeNow(CommandContext& c, Result<Action> action) {
     if (!action) return c.report(Failure(action.error()));
     c.perform(std::move(*action));
@@ -55,7 +48,7 @@ template <class Change>
 void rearrange(CommandContext& c, const Change& change) {
     const auto& floating = c.session.selection().floating();
     if (!floating || floating->kind != Floating::Kind::move) {
-        settle(c);
+        if (!c.settle()) return;
         const Status lifted = lift(c.session, c.settings.tool, Floating::Kind::move);
         if (!lifted) return c.report(lifted);
     }
@@ -116,12 +109,11 @@ void placeBy(CommandContext& c) {
         f.moveBy(offset(f.bounds()));
         f.label = "Place the object";
     });
-    if (!selected) settle(c);
+    if (!selected) static_cast<void>(c.settle());
 }
 
 template <Floating::Kind kind>
 void reshape(CommandContext& c) {
-    settle(c);
     floatNow(c, lift(c.session, c.settings.tool, kind));
 }
 
@@ -129,6 +121,7 @@ template <Floating::Kind kind>
 constexpr Command reshapeCommand(Command command) {
     command.menu = MenuId::select;
     command.group = "Reshape";
+    command.settles = true;
     command.run = reshape<kind>;
     command.enabled = hasVoxels;
     return command;
@@ -154,9 +147,9 @@ std::span<const Command> clipboardCommands() {
                 .icon = icon::kCut,
                 .chords = {control(GLFW_KEY_X)},
                 .separator = true,
+                .settles = true,
                 .run =
                     [](CommandContext& c) {
-                        settle(c);
                         if (const Status copied = copySelection(c.session); !copied) {
                             return c.report(copied);
                         }
@@ -169,11 +162,8 @@ std::span<const Command> clipboardCommands() {
                 .name = "Copy",
                 .icon = icon::kCopy,
                 .chords = {control(GLFW_KEY_C)},
-                .run =
-                    [](CommandContext& c) {
-                        settle(c);
-                        c.report(copySelection(c.session));
-                    },
+                .settles = true,
+                .run = [](CommandContext& c) { c.report(copySelection(c.session)); },
                 .enabled = hasVoxels},
         Command{.id = pasteVoxels,
                 .tag = "paste",
@@ -181,23 +171,25 @@ std::span<const Command> clipboardCommands() {
                 .name = "Paste",
                 .icon = icon::kPaste,
                 .chords = {control(GLFW_KEY_V)},
+                .settles = true,
                 .run =
                     [](CommandContext& c) {
-                        settle(c);
+                        std::string said;
+                        if (const Status fits = fitClip(c.session, said); !fits) {
+                            return c.report(fits);
+                        }
+                        if (!said.empty()) c.toasts.info(said);
                         floatNow(c, pasteClip(c.session));
                     },
-                .enabled = [](const CommandContext& c) { return c.session.clip().has_value(); }},
+                .enabled = [](const CommandContext& c) { return c.session.clip() != nullptr; }},
         Command{.id = duplicateVoxels,
                 .tag = "duplicate",
                 .menu = MenuId::edit,
                 .name = "Duplicate",
                 .icon = icon::kDuplicate,
                 .chords = {control(GLFW_KEY_D)},
-                .run =
-                    [](CommandContext& c) {
-                        settle(c);
-                        floatNow(c, duplicateSelection(c.session));
-                    },
+                .settles = true,
+                .run = [](CommandContext& c) { floatNow(c, duplicateSelection(c.session)); },
                 .enabled = hasVoxels},
         Command{.id = deleteVoxels,
                 .tag = "delete",
@@ -205,10 +197,10 @@ std::span<const Command> clipboardCommands() {
                 .name = "Delete",
                 .icon = icon::kDelete,
                 .chords = {key(GLFW_KEY_DELETE)},
+                .settles = true,
                 .run =
                     [](CommandContext& c) {
                         // What floats goes with what it was lifted from.
-                        settle(c);
                         makeNow(c, deleteSelection(c.session, "Delete"));
                     },
                 .enabled = hasSelection},
@@ -225,11 +217,8 @@ std::span<const Command> selectionCommands() {
                 .name = "All",
                 .icon = icon::kSelectAll,
                 .chords = {control(GLFW_KEY_A)},
-                .run =
-                    [](CommandContext& c) {
-                        settle(c);
-                        c.report(selectEverything(c.session));
-                    },
+                .settles = true,
+                .run = [](CommandContext& c) { c.report(selectEverything(c.session)); },
                 .enabled = hasVoxels},
         Command{
             .id = selectNone,
@@ -238,11 +227,8 @@ std::span<const Command> selectionCommands() {
             .name = "None",
             .icon = icon::kSelectNone,
             .chords = {controlShift(GLFW_KEY_A)},
-            .run =
-                [](CommandContext& c) {
-                    settle(c);
-                    c.session.selection().clear();
-                },
+            .settles = true,
+            .run = [](CommandContext& c) { c.session.selection().clear(); },
             .enabled = [](const CommandContext& c) { return hasSelection(c) || hasFloating(c); }},
         Command{.id = invertSelected,
                 .tag = "invert_selection",
@@ -250,20 +236,17 @@ std::span<const Command> selectionCommands() {
                 .name = "Invert",
                 .icon = icon::kInvert,
                 .chords = {control(GLFW_KEY_I)},
-                .run =
-                    [](CommandContext& c) {
-                        settle(c);
-                        c.report(invertSelection(c.session));
-                    },
+                .settles = true,
+                .run = [](CommandContext& c) { c.report(invertSelection(c.session)); },
                 .enabled = hasVoxels},
         Command{.id = selectByColour,
                 .tag = "select_colour",
                 .menu = MenuId::select,
                 .name = "All of the colour in hand",
                 .icon = icon::kPalette,
+                .settles = true,
                 .run =
                     [](CommandContext& c) {
-                        settle(c);
                         c.report(selectColour(c.session, c.settings.tool.colour));
                     },
                 .enabled = hasVoxels},
@@ -370,9 +353,9 @@ std::span<const Command> selectionCommands() {
                 .name = "Recolour to the colour in hand",
                 .icon = icon::kPaint,
                 .separator = true,
+                .settles = true,
                 .run =
                     [](CommandContext& c) {
-                        settle(c);
                         makeNow(c, recolourSelection(c.session, c.settings.tool.colour));
                     },
                 .enabled = hasSelection},
@@ -381,20 +364,17 @@ std::span<const Command> selectionCommands() {
                 .menu = MenuId::select,
                 .name = "Crop the object to the selection",
                 .icon = icon::kCrop,
-                .run =
-                    [](CommandContext& c) {
-                        settle(c);
-                        makeNow(c, cropToSelection(c.session));
-                    },
+                .settles = true,
+                .run = [](CommandContext& c) { makeNow(c, cropToSelection(c.session)); },
                 .enabled = hasSelection},
         Command{.id = voxelsToObject,
                 .tag = "selection_to_object",
                 .menu = MenuId::select,
                 .name = "To a new object",
                 .icon = icon::kObject,
+                .settles = true,
                 .run =
                     [](CommandContext& c) {
-                        settle(c);
                         const std::size_t nodes = c.session.document().nodes.size();
                         makeNow(c, selectionToObject(c.session));
                         if (c.session.document().nodes.size() > nodes) {
@@ -429,9 +409,9 @@ std::span<const Command> selectionCommands() {
                 .menu = MenuId::select,
                 .group = "Place",
                 .name = "Trim to the limiting box",
+                .settles = true,
                 .run =
                     [](CommandContext& c) {
-                        settle(c);
                         makeNow(c, trimToBox(c.session, c.settings.tool.options.limits));
                     },
                 .enabled =

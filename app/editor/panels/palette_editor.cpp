@@ -120,6 +120,13 @@ Action PaletteEditor::removeRamp() const {
     return change("Remove ramp", ramp ? withoutRamp(palette(), *ramp) : palette());
 }
 
+Action PaletteEditor::moveRampStep(std::size_t ramp, std::size_t from, std::size_t to,
+                                   std::uint64_t mergeKey) const {
+    Action action = change("Reorder ramp", withRampStepMoved(palette(), ramp, from, to));
+    action.mergeKey = mergeKey;
+    return action;
+}
+
 Action PaletteEditor::removeUnused() const {
     return change("Remove unused colours", withoutUnused(palette(), counts()));
 }

@@ -46,6 +46,8 @@ class PaletteEditor {
     // For the chosen ones, or for all that voxels use.
     [[nodiscard]] Action suggestRamps() const;
     [[nodiscard]] Action removeRamp() const;
+    [[nodiscard]] Action moveRampStep(std::size_t ramp, std::size_t from, std::size_t to,
+                                      std::uint64_t mergeKey) const;
     [[nodiscard]] Action removeUnused() const;
     // Voxels of `from` take the colour in hand, in all objects.
     [[nodiscard]] Action recolourToHand(std::uint8_t from) const;

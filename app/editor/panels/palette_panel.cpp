@@ -144,7 +144,7 @@ void PalettePanel::drawToolbar(Ui& ui) {
     ImGui::PopStyleVar(2);
 }
 
-// The ramp of the colour in hand, dark to light.
+// The ramp of the colour in hand, dark to light. A step is dragged along it to another place.
 void PalettePanel::drawRamp(Ui& ui) {
     const Palette& palette = ui.session.shownPalette();
     const auto ramp = palette.rampOf(editor_.inHand());
@@ -157,6 +157,10 @@ void PalettePanel::drawRamp(Ui& ui) {
         std::min(theme.px(32), std::floor((ImGui::GetContentRegionAvail().x - theme.px(26)) /
                                           static_cast<float>(indices.size())));
     ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const auto last = static_cast<float>(indices.size() - 1);
+    const auto under = static_cast<std::size_t>(
+        std::clamp(std::floor((ImGui::GetMousePos().x - corner.x) / width), 0.0f, last));
+    std::optional<std::size_t> dragged;
     for (std::size_t i = 0; i < indices.size(); ++i) {
         const Rgba8 colour = palette.colours[indices[i]];
         const ImVec2 min(corner.x + width * static_cast<float>(i), corner.y);
@@ -167,10 +171,15 @@ void PalettePanel::drawRamp(Ui& ui) {
         draw.AddRectFilled(min, max, IM_COL32(colour.x, colour.y, colour.z, 255), theme.px(4),
                            round);
         ImGui::SetCursorScreenPos(min);
-        ImGui::PushID(static_cast<int>(i));
+        ImGui::PushID(indices[i]);  // it stays in the hand wherever it goes
         if (ImGui::InvisibleButton("step", {width, height})) editor_.choose(indices[i]);
+        ui.edits.watchItem(ui.session);
+        if (ImGui::IsItemActive() && under != i) dragged = i;
         ImGui::PopID();
-        tooltip(ui, "The ramp of this colour: what light picks from with shading in the palette");
+        ui.probe.markItem("palette.ramp." + std::to_string(i));
+        tooltip(ui,
+                "The ramp of this colour: with shading in the palette, light picks for a step from "
+                "those before it. Drag a step to another place.");
         if (indices[i] != editor_.inHand()) continue;
         // A dark mark on light, a light one on dark.
         const bool light = okLabFrom(colour).lightness > 0.6;
@@ -178,6 +187,7 @@ void PalettePanel::drawRamp(Ui& ui) {
             {std::round((min.x + max.x) * 0.5f), std::round((min.y + max.y) * 0.5f)}, theme.px(3),
             light ? IM_COL32(0, 0, 0, 200) : IM_COL32_WHITE);
     }
+    if (dragged) ui.edits.push(editor_.moveRampStep(*ramp, *dragged, under, ui.edits.key()));
     ImGui::SetCursorScreenPos({corner.x + width * static_cast<float>(indices.size()) + theme.px(4),
                                corner.y - theme.px(1)});
     if (iconButton(ui, "palette.ramp.remove", icon::kClose, Lit::off, theme.px(20),

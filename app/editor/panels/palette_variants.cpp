@@ -8,6 +8,7 @@
 #include "app/editor/panels/palette_panel.h"
 #include "app/editor/panels/widgets.h"
 #include "app/editor/window/icons.h"
+#include "app/editor/window/imgui_texture.h"
 
 namespace voxprite::editor {
 namespace {
@@ -111,8 +112,7 @@ void PalettePanel::drawVariant(Ui& ui, std::size_t cell, ImVec2 size) {
                                static_cast<float>(picture.height()) * scale);
         const ImVec2 at(std::round((corner.x + max.x - shownSize.x) * 0.5f),
                         std::round((corner.y + max.y - shownSize.y) * 0.5f));
-        draw.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.id())), at,
-                      {at.x + shownSize.x, at.y + shownSize.y});
+        draw.AddImage(imguiTexture(picture.id()), at, {at.x + shownSize.x, at.y + shownSize.y});
     }
     const ImFont& font = *theme.fonts.small;
     const std::string label = fitted(name, font, size.x);

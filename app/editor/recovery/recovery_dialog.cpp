@@ -6,6 +6,7 @@
 #include "app/editor/panels/dialog_frame.h"
 #include "app/editor/panels/number_text.h"
 #include "app/editor/panels/widgets.h"
+#include "app/editor/window/imgui_texture.h"
 #include "core/io/png.h"
 
 namespace voxprite::editor {
@@ -43,8 +44,7 @@ void picture(const Theme& theme, const PictureTexture& texture) {
                       static_cast<float>(texture.height()) * scale);
     const ImVec2 corner(std::floor(at.x + (edge - size.x) * 0.5f),
                         std::floor(at.y + (edge - size.y) * 0.5f));
-    list.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id())), corner,
-                  {corner.x + size.x, corner.y + size.y});
+    list.AddImage(imguiTexture(texture.id()), corner, {corner.x + size.x, corner.y + size.y});
 }
 
 }  // namespace

@@ -38,6 +38,10 @@ std::stop_token JobProgress::stopToken() const {
     return state_->stop.get_token();
 }
 
+Progress JobProgress::as(std::string stage) {
+    return {[this, stage = std::move(stage)](double share) { enter(stage, share); }, stopToken()};
+}
+
 struct BackgroundJob::Run {
     JobProgress progress;
     Done done;
@@ -68,6 +72,14 @@ void BackgroundJob::cancel() {
     current_->progress.state_->stop.request_stop();
     abandoned_.push_back(std::move(current_));
     dropEnded();
+}
+
+void BackgroundJob::stop() {
+    if (current_) current_->progress.state_->stop.request_stop();
+}
+
+bool BackgroundJob::stopping() const {
+    return current_ && current_->progress.stopToken().stop_requested();
 }
 
 bool BackgroundJob::finish() {

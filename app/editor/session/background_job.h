@@ -17,6 +17,8 @@
 #include <thread>
 #include <vector>
 
+#include "core/base/progress.h"
+
 namespace voxprite::editor {
 
 // What the work says of itself while it runs. Safe from both threads.
@@ -30,6 +32,8 @@ class JobProgress {
     [[nodiscard]] double share() const;
     // Work that can stop half-way looks at this now and then.
     [[nodiscard]] std::stop_token stopToken() const;
+    // For work that knows no stages, under one name. Must not outlive this.
+    [[nodiscard]] Progress as(std::string stage);
 
   private:
     friend class BackgroundJob;
@@ -53,6 +57,9 @@ class BackgroundJob {
     // From start() until finish() has handed over what came of it, or cancel().
     [[nodiscard]] bool running() const { return current_ != nullptr; }
     void cancel();
+    // Asks what runs to end early; it goes on running() until it does.
+    void stop();
+    [[nodiscard]] bool stopping() const;
     // Once it has ended: true, and then its Done has run.
     bool finish();
     // Waits for the end of what runs; finish() then succeeds.

@@ -86,21 +86,52 @@ void FileFlow::draw(Ui& ui) {
         const Chosen chosen = std::exchange(chosen_, {});
         chosen(context_, *path);
     }
+    static_cast<void>(step_.finish());
     static_cast<void>(job_.finish());
-    if (job_.running()) {
-        // Most work is over before anyone could read what it was.
-        const bool shows = job_.seconds() > kProgressAfterSeconds;
-        if (drawProgress(ui, job_, blocks_, shows)) cancelWork();
-    } else if (afterJob_ != Waiting::none) {
+    showProgress(ui);
+    if (!isWorking() && afterJob_ != Waiting::none) {
         unlessUnsaved(std::exchange(afterJob_, Waiting::none));
     }
 }
 
+void FileFlow::showProgress(Ui& ui) {
+    // Most work is over before anyone could read what it was.
+    const auto shows = [](const BackgroundJob& job) {
+        return job.seconds() > kProgressAfterSeconds;
+    };
+    if (step_.running()) {
+        if (drawProgress(ui, step_, true, shows(step_))) step_.stop();
+    } else if (job_.running()) {
+        if (drawProgress(ui, job_, blocks_, shows(job_))) cancelWork();
+    }
+}
+
 void FileFlow::finishWork() {
-    while (job_.running()) {
+    while (isWorking()) {
+        step_.wait();
+        static_cast<void>(step_.finish());
         job_.wait();
         static_cast<void>(job_.finish());
     }
+}
+
+void FileFlow::step(std::string title, Prepare prepare) {
+    const Session& session = context_.session;
+    const auto working = [this, &session, prepare](JobProgress& progress) -> BackgroundJob::Done {
+        const std::stop_token stop = progress.stopToken();
+        const auto prepared = std::make_shared<Result<std::shared_ptr<Session::Prepared>>>(
+            prepare(session, progress.as("The document stays as it is until this is done")));
+        return [this, prepared, stop] {
+            if (*prepared) return context_.session.commit(std::move(***prepared));
+            context_.session.dropPrepared();
+            if (stop.stop_requested()) {
+                context_.toasts.info("Cancelled: " + step_.title());
+            } else {
+                context_.toasts.error(prepared->error().describe());
+            }
+        };
+    };
+    step_.start(std::move(title), working);
 }
 
 Status FileFlow::work(std::string title, BackgroundJob::Work work) {
@@ -119,10 +150,10 @@ void FileFlow::cancelWork() {
 }
 
 void FileFlow::unlessUnsaved(Waiting what) {
-    if (job_.running()) {
+    if (isWorking()) {
         // What is being saved is saved to its end first.
         afterJob_ = what;
-        return context_.toasts.info(job_.title() + " first");
+        return context_.toasts.info((step_.running() ? step_ : job_).title() + " first");
     }
     waiting_ = what;
     if (context_.session.unsaved()) {
@@ -165,9 +196,9 @@ void FileFlow::goOn() {
 
 void FileFlow::openNow(const std::filesystem::path& path) {
     const auto opening = [this, path](JobProgress& progress) -> BackgroundJob::Done {
-        progress.enter("Reading and building the octree", 0.0);
         // Shared, as what a job leaves behind can be copied.
-        const auto opened = std::make_shared<Result<Session::Opened>>(Session::read(path));
+        const auto opened =
+            std::make_shared<Result<Session::Opened>>(Session::read(path, &progress));
         return [this, path, opened] {
             CommandContext& c = context_;
             if (!*opened) return c.dialogs.showError(opened->error().describe());
@@ -197,7 +228,14 @@ void FileFlow::write(std::string title, const std::filesystem::path& path,
         const Status written = Session::write(*saving, progress.stopToken());
         return [this, saving, written, afterwards] {
             context_.session.endSaving(*saving, written.has_value());
-            if (tell(written, {})) afterwards();
+            if (!tell(written, {})) return;
+            if (const int count = saving->modelsLeftOut; count > 0) {
+                context_.toasts.info(std::to_string(count) +
+                                     (count == 1 ? " model that no object shows is"
+                                                 : " models that no object shows are") +
+                                     " not in the file");
+            }
+            afterwards();
         };
     };
     static_cast<void>(work(std::move(title), writing));

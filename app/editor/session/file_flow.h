@@ -1,10 +1,12 @@
 // Opening, saving and exporting: from the question about unsaved changes over the choice of a file
 // to the news that it is done. What takes long goes on behind the window; while a file is being
-// opened nothing else can be done, while one is being saved all can.
+// opened nothing else can be done, while one is being saved all can. Long steps of the document go
+// the same way.
 #pragma once
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 
 #include "app/editor/commands/command_context.h"
 #include "app/editor/panels/dialogs.h"
@@ -36,9 +38,17 @@ class FileFlow {
     // For any other long work: one thing at a time, so it fails while another goes on.
     [[nodiscard]] Status work(std::string title, BackgroundJob::Work work);
 
+    // A step of the document that takes long: nothing else can be done until it is in force, or
+    // was stopped.
+    using Prepare =
+        std::function<Result<std::shared_ptr<Session::Prepared>>(const Session&, const Progress&)>;
+    void step(std::string title, Prepare prepare);
+
     // The dialogs, while there are any; and the end of what went on behind the window.
     void draw(Ui& ui);
-    [[nodiscard]] bool isWorking() const { return job_.running(); }
+    [[nodiscard]] bool isWorking() const { return job_.running() || step_.running(); }
+    // Nothing else can be done: the document must stay as it is.
+    [[nodiscard]] bool blocks() const { return (job_.running() && blocks_) || step_.running(); }
     // Scripts do one thing after another: waits until nothing goes on.
     void finishWork();
     [[nodiscard]] bool isBrowsing() const { return browser_.isOpen(); }
@@ -59,6 +69,7 @@ class FileFlow {
     void write(std::string title, const std::filesystem::path& path,
                const std::function<void()>& afterwards);
     void cancelWork();
+    void showProgress(Ui& ui);
     // What the format of a file of this name cannot hold.
     [[nodiscard]] std::vector<std::string> lossesAt(const std::filesystem::path& path) const;
     void tellLosses(const std::filesystem::path& path);
@@ -68,6 +79,7 @@ class FileFlow {
     CommandContext& context_;
     FileBrowser browser_;
     Chosen chosen_;
+    BackgroundJob step_;
     BackgroundJob job_;
     bool blocks_ = false;  // nothing else may be done meanwhile
     // What a cancelled job leaves to put right.

@@ -88,6 +88,11 @@ Result<VoxelSet> Floating::footprint() const {
     return inModel(std::move(*laid), entityFromModel).footprint();
 }
 
+bool Floating::isLarge() const {
+    const auto each = static_cast<std::uint64_t>(kind == Kind::move ? amount * amount * amount : 1);
+    return clip.voxels.solidCount() * each > kLongStepVoxels;
+}
+
 void VoxelSelection::select(int node, int model, VoxelSet with, SelectMode mode) {
     if (mode != SelectMode::replace) {
         const bool same = node == now_.node && model == now_.model;
@@ -99,11 +104,25 @@ void VoxelSelection::select(int node, int model, VoxelSet with, SelectMode mode)
 
 void VoxelSelection::setFloating(std::optional<Floating> floating) {
     floating_ = std::move(floating);
+    lands_ = false;
     ++revision_;
 }
 
 void VoxelSelection::selectWithNextStep(int node, int model, VoxelSet voxels) {
     next_ = State{node, model, std::make_shared<const VoxelSet>(std::move(voxels))};
+}
+
+Result<std::optional<VoxelSet>> VoxelSelection::landed() const {
+    if (!lands_ || !floating_ || !floating_->selects) return std::optional<VoxelSet>();
+    Result<VoxelSet> footprint = floating_->footprint();
+    if (!footprint) return Failure(footprint.error());
+    return std::optional<VoxelSet>(std::move(*footprint));
+}
+
+void VoxelSelection::land(std::optional<VoxelSet> landed) {
+    if (!std::exchange(lands_, false)) return;
+    if (landed) selectWithNextStep(floating_->node, floating_->model, std::move(*landed));
+    setFloating(std::nullopt);
 }
 
 void VoxelSelection::stepMade(std::size_t position, bool asANewStep) {
@@ -146,6 +165,7 @@ void VoxelSelection::forget() {
     next_.reset();
     before_.clear();
     floating_.reset();
+    lands_ = false;
 }
 
 }  // namespace voxprite::editor

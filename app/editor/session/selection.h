@@ -15,6 +15,9 @@
 
 namespace voxprite::editor {
 
+// A step of more voxels is worked out behind the window.
+inline constexpr std::uint64_t kLongStepVoxels = 200'000;
+
 // Voxels in the air and where they come from. Putting them down takes `from` away and lays over it
 // what made() gives: one patch, so that nothing is lost before.
 struct Floating {
@@ -45,6 +48,8 @@ struct Floating {
     [[nodiscard]] Result<VoxelPatch> patch(const Document& document) const;
     // What will be selected once it is put down; model space.
     [[nodiscard]] Result<VoxelSet> footprint() const;
+    // So many voxels that to put them down, or to show where they would lie, takes long.
+    [[nodiscard]] bool isLarge() const;
 
   private:
     void place(const SignedPermutation& rotation);
@@ -54,6 +59,10 @@ class VoxelSelection {
   public:
     // Solid voxels of one model, model space.
     [[nodiscard]] const VoxelSet& voxels() const { return *now_.voxels; }
+    // They never change, whatever is selected later.
+    [[nodiscard]] const std::shared_ptr<const VoxelSet>& sharedVoxels() const {
+        return now_.voxels;
+    }
     [[nodiscard]] bool empty() const { return voxels().empty(); }
     // The object it was made in; means nothing while it is empty.
     [[nodiscard]] int node() const { return now_.node; }
@@ -78,6 +87,13 @@ class VoxelSelection {
     // --- for the session
     // Becomes the selection with the next step.
     void selectWithNextStep(int node, int model, VoxelSet voxels);
+    // What floats comes down with the next step, and is in the air until then.
+    void landWithNextStep() { lands_ = floating_.has_value(); }
+    // What will then be selected; nothing when the selection stays as it is.
+    [[nodiscard]] Result<std::optional<VoxelSet>> landed() const;
+    // That step is made now, with what landed() found; or it is not made after all.
+    void land(std::optional<VoxelSet> landed);
+    void stayInTheAir() { lands_ = false; }
     // A step of the history was made at `position`; before the document is followed.
     void stepMade(std::size_t position, bool asANewStep);
     // The history went from one position to another.
@@ -99,6 +115,7 @@ class VoxelSelection {
     // What was selected when the history left a position: it is selected again on the way back.
     std::map<std::size_t, State> before_;
     std::optional<Floating> floating_;
+    bool lands_ = false;
     std::uint64_t revision_ = 1;
 };
 

@@ -1,9 +1,12 @@
 #include "app/editor/session/selection_edits.h"
 
+#include <functional>
+#include <memory>
 #include <utility>
 
 #include "app/editor/panels/number_text.h"
 #include "app/editor/tools/edit_target.h"
+#include "core/edit/clip_colours.h"
 #include "core/edit/free_name.h"
 #include "core/edit/make_action.h"
 #include "core/edit/regions.h"
@@ -18,13 +21,32 @@ const VoxelGrid& gridOf(const Session& session, int model) {
     return session.document().models[static_cast<std::size_t>(model)].voxels;
 }
 
+std::string colourCount(int count) {
+    return std::to_string(count) + (count == 1 ? " colour" : " colours");
+}
+
 std::string voxelCount(std::uint64_t count) {
     return grouped(count) + (count == 1 ? " voxel" : " voxels");
 }
 
-Result<Action> withLabel(std::string label, Result<VoxelPatch> patch) {
-    if (!patch) return Failure(patch.error());
-    return makeAction(std::move(label), std::move(*patch));
+using MakePatch = std::function<Result<VoxelPatch>(const Document&)>;
+
+// An edit of so many voxels: of few it is made here and now.
+Result<Action> editOf(const Session& session, std::string label, std::uint64_t voxels,
+                      const MakePatch& make) {
+    if (voxels <= kLongStepVoxels) {
+        Result<VoxelPatch> patch = make(session.document());
+        if (!patch) return Failure(patch.error());
+        return makeAction(std::move(label), std::move(*patch));
+    }
+    return makeActionLater(std::move(label),
+                           [make](const Document& document) { return onePatch(make(document)); });
+}
+
+MakePatch patchOfSet(int model, VoxelSet set, EditMode mode, std::uint8_t colour) {
+    const auto shared = std::make_shared<const VoxelSet>(std::move(set));
+    return
+        [=](const Document& document) { return patchSet(document, model, *shared, mode, colour); };
 }
 
 // As it looks on screen.
@@ -121,6 +143,34 @@ Status lift(Session& session, const ToolSettings& settings, Floating::Kind kind)
     return {};
 }
 
+bool clipFits(const Session& session) {
+    if (!session.clip() || *session.clipPalette() == session.document().palette) return true;
+    const ColourMatch match =
+        matchColours(session.clip()->voxels, *session.clipPalette(), session.document());
+    return match.isIdentity();
+}
+
+Status fitClip(Session& session, std::string& said) {
+    if (!session.clip() || clipFits(session)) return {};
+    const ColourMatch match =
+        matchColours(session.clip()->voxels, *session.clipPalette(), session.document());
+    VoxelClip clip{recoloured(session.clip()->voxels, match.indexOf),
+                   session.clip()->modelFromClip};
+    if (match.added > 0) {
+        said = colourCount(match.added) + " added to the palette";
+        Status added = session.perform(
+            makeAction("Add " + colourCount(match.added),
+                       PaletteEdit{Boxed(session.document().palette), Boxed(match.palette)}));
+        if (!added) return added;
+    }
+    if (match.approximated > 0) {
+        said += (said.empty() ? "" : "; ") + std::string("the palette is full: ") +
+                colourCount(match.approximated) + " became the nearest there is";
+    }
+    session.setClip(std::move(clip));
+    return {};
+}
+
 Status pasteClip(Session& session) {
     if (!session.clip()) return fail("Copy something first");
     const Result<EditTarget> target = EditTarget::of(session, session.activeNode());
@@ -145,8 +195,28 @@ Status duplicateSelection(Session& session) {
     return {};
 }
 
+namespace {
+
+Action land(Session& session) {
+    VoxelSelection& selection = session.selection();
+    // It floats until the action has been carried out.
+    const auto patch = [&selection](const Document& document) -> Result<VoxelPatch> {
+        if (!selection.floating()) return fail("Nothing is in the air any more");
+        return selection.floating()->patch(document);
+    };
+    Action action = makeActionLater(selection.floating()->label, [patch](const Document& document) {
+        return onePatch(patch(document));
+    });
+    session.setActiveNode(selection.floating()->node);
+    selection.landWithNextStep();
+    return action;
+}
+
+}  // namespace
+
 Result<std::optional<Action>> putDown(Session& session) {
     if (!session.selection().floating()) return std::optional<Action>();
+    if (session.selection().floating()->isLarge()) return std::optional<Action>(land(session));
     const Floating floating = *session.selection().floating();
     Result<VoxelPatch> patch = floating.patch(session.document());
     if (!patch) return Failure(patch.error());
@@ -165,24 +235,28 @@ Result<std::optional<Action>> putDown(Session& session) {
 Result<Action> deleteSelection(const Session& session, const char* verb) {
     const Result<Chosen> chosen = chosenVoxels(session);
     if (!chosen) return Failure(chosen.error());
-    return withLabel(
-        verb + (" " + voxelCount(chosen->voxels.count())),
-        patchSet(session.document(), chosen->model, chosen->voxels, EditMode::erase, 0));
+    const std::uint64_t count = chosen->voxels.count();
+    return editOf(session, verb + (" " + voxelCount(count)), count,
+                  patchOfSet(chosen->model, chosen->voxels, EditMode::erase, 0));
 }
 
 Result<Action> recolourSelection(const Session& session, std::uint8_t colour) {
     const Result<Chosen> chosen = chosenVoxels(session);
     if (!chosen) return Failure(chosen.error());
-    return withLabel(
-        "Recolour " + voxelCount(chosen->voxels.count()),
-        patchSet(session.document(), chosen->model, chosen->voxels, EditMode::paint, colour));
+    const std::uint64_t count = chosen->voxels.count();
+    return editOf(session, "Recolour " + voxelCount(count), count,
+                  patchOfSet(chosen->model, chosen->voxels, EditMode::paint, colour));
 }
 
 Result<Action> cropToSelection(const Session& session) {
     const Result<Chosen> chosen = chosenVoxels(session);
     if (!chosen) return Failure(chosen.error());
-    return withLabel("Crop to the selection",
-                     patchCrop(session.document(), chosen->model, chosen->voxels));
+    const auto keep = std::make_shared<const VoxelSet>(chosen->voxels);
+    return editOf(session, "Crop to the selection",
+                  gridOf(session, chosen->model).solidCount() - keep->count(),
+                  [keep, model = chosen->model](const Document& document) {
+                      return patchCrop(document, model, *keep);
+                  });
 }
 
 Result<Action> trimToBox(const Session& session, const IBox& entityBox) {
@@ -192,23 +266,23 @@ Result<Action> trimToBox(const Session& session, const IBox& entityBox) {
     // Of the selection, if there is one, only what is selected goes.
     VoxelSet beyond = chosen->voxels;
     beyond.subtract(selectBox(gridOf(session, chosen->model), box));
-    return withLabel("Trim to the limits",
-                     patchSet(session.document(), chosen->model, beyond, EditMode::erase, 0));
+    const std::uint64_t count = beyond.count();
+    return editOf(session, "Trim to the limits", count,
+                  patchOfSet(chosen->model, std::move(beyond), EditMode::erase, 0));
 }
 
 Result<Action> selectionToObject(const Session& session) {
     const Result<Chosen> chosen = chosenVoxels(session);
     if (!chosen) return Failure(chosen.error());
-    Result<VoxelPatch> taken =
-        patchSet(session.document(), chosen->model, chosen->voxels, EditMode::erase, 0);
-    if (!taken) return Failure(taken.error());
     const Document& document = session.document();
     Action action = addObject(document, freeName("Part", document.nodes));
     auto& scene = std::get<SceneEdit>(action.parts.front());
     scene.addedModels.front().voxels = clipOf(session, *chosen).placed();
-    action.label = "To a new object";
-    action.parts.emplace_back(std::move(*taken));
-    return action;
+    Result<Action> taken = editOf(session, "To a new object", chosen->voxels.count(),
+                                  patchOfSet(chosen->model, chosen->voxels, EditMode::erase, 0));
+    if (!taken) return taken;
+    taken->parts.insert(taken->parts.begin(), std::move(action.parts.front()));
+    return taken;
 }
 
 }  // namespace voxprite::editor

@@ -27,6 +27,11 @@ struct Chosen {
 
 // --- into the air; the Move tool puts down what floats
 [[nodiscard]] Status lift(Session& session, const ToolSettings& settings, Floating::Kind kind);
+// Do its colours lie where the document has them, whatever document it was copied from?
+[[nodiscard]] bool clipFits(const Session& session);
+// Makes them: finds each colour's place, and adds those that the document lacks while there is
+// room; `said` tells the artist, if there is anything to tell.
+[[nodiscard]] Status fitClip(Session& session, std::string& said);
 // To where it was copied from, into the active object.
 [[nodiscard]] Status pasteClip(Session& session);
 // A copy of it, beside it.

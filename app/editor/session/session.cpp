@@ -33,6 +33,15 @@ Session::Session() {
 }
 
 Status Session::perform(Action action) {
+    if (action.makePatches) {
+        Result<std::shared_ptr<Prepared>> prepared = prepare(std::move(action), {});
+        if (!prepared) {
+            dropPrepared();
+            return Failure(prepared.error());
+        }
+        commit(std::move(**prepared));
+        return {};
+    }
     const std::size_t position = history_.position();
     const Changed changed = history_.execute(workspace_, std::move(action));
     if (changed.any()) selection_.stepMade(position, history_.position() == position + 1);
@@ -69,6 +78,11 @@ Status Session::follow(const Changed& changed) {
         if (Status followed = followVoxels(voxels); !followed) return followed;
     }
     return {};
+}
+
+void Session::setClip(VoxelClip clip) {
+    clip_ = std::make_shared<const VoxelClip>(std::move(clip));
+    clipPalette_ = std::make_shared<const Palette>(document().palette);
 }
 
 void Session::showVariant(std::optional<std::size_t> variant) {

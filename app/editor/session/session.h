@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -25,6 +26,8 @@
 #include "core/svo/live_octree.h"
 
 namespace voxprite::editor {
+
+class JobProgress;
 
 class Session {
   public:
@@ -73,13 +76,37 @@ class Session {
     [[nodiscard]] Status perform(Action action);
     [[nodiscard]] Status undo();
     [[nodiscard]] Status redo();
+    // Is this so large a step that the window must not wait for it?
+    [[nodiscard]] bool isLong(const Action& action) const;
+    [[nodiscard]] bool undoIsLong() const;
+    [[nodiscard]] bool redoIsLong() const;
+    // Such steps in two halves. What takes long reads the session alone, on any thread, while
+    // nobody changes the session; commit() is quick. A step that was prepared is committed before
+    // anything else is done, or dropped. Fail as perform() does, and when they are stopped.
+    struct Prepared;
+    [[nodiscard]] Result<std::shared_ptr<Prepared>> prepare(Action action,
+                                                            const Progress& progress) const;
+    [[nodiscard]] Result<std::shared_ptr<Prepared>> prepareUndo(const Progress& progress) const;
+    [[nodiscard]] Result<std::shared_ptr<Prepared>> prepareRedo(const Progress& progress) const;
+    void commit(Prepared prepared);
+    void dropPrepared() { selection_.stayInTheAir(); }
+    // The document as it is now, for whoever works with it while it changes. Costs a copy once
+    // after each change, as long as somebody has it.
+    [[nodiscard]] std::shared_ptr<const Document> snapshot();
+    // Shows what was made of a snapshot, if nothing has changed since, in place of the last preview
+    // (shown_octree.h).
+    void showInstead(LiveOctree octree, const IBox& filled);
+
     // What the artist has selected, and what is in the air; it follows the document.
     [[nodiscard]] const VoxelSelection& selection() const { return selection_; }
     [[nodiscard]] VoxelSelection& selection() { return selection_; }
     // What was last copied or cut; the clipboard of the voxel tools, placed in entity space: as it
     // looked on screen. No part of the document: it outlives it.
-    [[nodiscard]] const std::optional<VoxelClip>& clip() const { return clip_; }
-    void setClip(std::optional<VoxelClip> clip) { clip_ = std::move(clip); }
+    [[nodiscard]] const std::shared_ptr<const VoxelClip>& clip() const { return clip_; }
+    // Its indices mean the colours that the document has now.
+    void setClip(VoxelClip clip);
+    // What the clip's indices mean; null while there is none.
+    [[nodiscard]] const std::shared_ptr<const Palette>& clipPalette() const { return clipPalette_; }
     // Most that undo may hold.
     void limitHistory(std::size_t bytes) { history_.setMemoryLimitBytes(bytes); }
     // A key of its own for the actions of one stroke or drag, which become one step.
@@ -130,7 +157,8 @@ class Session {
         LoadedDocument loaded;
         Derived derived;
     };
-    [[nodiscard]] static Result<Opened> read(const std::filesystem::path& path);
+    [[nodiscard]] static Result<Opened> read(const std::filesystem::path& path,
+                                             JobProgress* progress = nullptr);
     void adopt(Opened opened);
     // The copy of unsaved work that a crash left (recovery/recovery_folder.h): it is `file`, if
     // any, with changes that are in no file yet.
@@ -142,6 +170,7 @@ class Session {
         Document document;
         GameProfile profile;
         bool wasSaved = false;  // there was nothing to save
+        int modelsLeftOut = 0;  // that no object shows
     };
     // The document as it is now. It counts as saved from here on; endSaving() says whether it was.
     [[nodiscard]] Result<Saving> beginSaving(const std::filesystem::path& path);
@@ -175,6 +204,8 @@ class Session {
     [[nodiscard]] static Result<Derived> derive(const Document& document, int frame);
     void install(Derived derived);
     [[nodiscard]] Status rebuild();
+    [[nodiscard]] Result<std::shared_ptr<Prepared>> derived(Result<PreparedStep> step,
+                                                            const Progress& progress) const;
     void adopt(Document document, Derived derived);
     void chooseActiveNode();
     void followPalette();
@@ -203,7 +234,17 @@ class Session {
     GameProfile savedProfile_;
     std::vector<std::string> warnings_;
     VoxelSelection selection_;
-    std::optional<VoxelClip> clip_;
+    std::shared_ptr<const VoxelClip> clip_;
+    std::shared_ptr<const Palette> clipPalette_;
+    std::weak_ptr<const Document> snapshot_;
+    std::uint64_t snapshotRevision_ = 0;
+};
+
+struct Session::Prepared {
+    PreparedStep step;
+    Derived derived;
+    // What will be selected, of what is put down.
+    std::optional<VoxelSet> landed;
 };
 
 }  // namespace voxprite::editor

@@ -1,8 +1,10 @@
 // The session's files: what opening and saving do to it.
 #include <algorithm>
 
+#include "app/editor/session/background_job.h"
 #include "app/editor/session/session.h"
 #include "core/edit/make_action.h"
+#include "core/edit/unused_models.h"
 #include "core/io/formats.h"
 #include "core/io/profile_json.h"
 
@@ -30,9 +32,12 @@ Status Session::startNew() {
     return {};
 }
 
-Result<Session::Opened> Session::read(const std::filesystem::path& path) {
+Result<Session::Opened> Session::read(const std::filesystem::path& path, JobProgress* progress) {
+    // Reading takes about as long as building does, whatever the format.
+    if (progress != nullptr) progress->enter("Reading the file", 0.05);
     Result<LoadedDocument> loaded = loadDocument(path);
     if (!loaded) return Failure(loaded.error());
+    if (progress != nullptr) progress->enter("Building the octree", 0.5);
     Result<Derived> derived = derive(loaded->document, 0);
     if (!derived) return inFile(Result<Opened>(Failure(derived.error())), path.string());
     return Opened{path, std::move(*loaded), std::move(*derived)};
@@ -77,7 +82,8 @@ Result<Session::Saving> Session::beginSaving(const std::filesystem::path& path) 
     workspace_.document.authored = {profile().voxelSizeMetres, profile().sigma};
     const bool wasSaved = history_.isSaved();
     if (*format == Format::voxprite) history_.markSaved();
-    return Saving{path, *format, document(), profile(), wasSaved};
+    return Saving{path,      *format,  withoutUnusedModels(document()),
+                  profile(), wasSaved, unusedModels(document())};
 }
 
 Status Session::write(const Saving& saving, std::stop_token stop) {

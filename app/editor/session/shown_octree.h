@@ -20,15 +20,22 @@ class ShownOctree {
     // Shows `edits` (entity space, any order, no voxel twice unless with one material) in place of
     // the last preview. Fails, showing no preview, when an octree could not hold them.
     [[nodiscard]] Status preview(const LiveOctree& document, std::vector<LiveOctree::Edit> edits);
+    // Shows this one instead, which somebody has made with a coming edit of very many voxels in it;
+    // `filled` is around those that the edit fills.
+    void show(LiveOctree octree, const IBox& filled);
 
     [[nodiscard]] const LiveOctree& octree() const { return octree_; }
-    [[nodiscard]] bool previews() const { return !previewed_.empty(); }
+    [[nodiscard]] bool previews() const { return isAnother_ || !previewed_.empty(); }
     // Around the voxels that the preview fills.
     [[nodiscard]] const IBox& filled() const { return filled_; }
-    [[nodiscard]] OctreeChanges takeChanges() { return octree_.takeChanges(); }
+    [[nodiscard]] OctreeChanges takeChanges();
 
   private:
+    void replace(LiveOctree octree);
+
     LiveOctree octree_;
+    bool isReplaced_ = false;                  // since changes were last taken
+    bool isAnother_ = false;                   // what show() was given
     std::vector<LiveOctree::Edit> previewed_;  // ascending voxels, none twice
     IBox filled_;
 };

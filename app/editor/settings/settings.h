@@ -12,6 +12,7 @@
 #include "app/editor/tools/tool_options.h"
 #include "app/editor/views/navigation.h"
 #include "app/editor/window/theme.h"
+#include "app/editor/window/window_place.h"
 #include "core/base/result.h"
 #include "core/edit/patches.h"
 #include "render/voxel_occlusion.h"
@@ -118,6 +119,7 @@ inline constexpr float kLeastSide = 280.0f, kMostSide = 520.0f;
 inline constexpr float kLeastDock = 0.2f, kMostDock = 0.75f;
 
 struct WindowSettings {
+    WindowPlace place;
     ThemeKind theme = ThemeKind::dark;
     float scale = 1.0f;  // of text and all else, on top of the display's own
     float split = 0.5f;  // share of the edit view, 0.15 ... 0.85

@@ -88,6 +88,17 @@ void describe(Archive archive, ViewSettings& view) {
 }
 
 template <class Archive>
+void describe(Archive archive, WindowPlace& place) {
+    constexpr int kFar = 1 << 20;
+    archive.number("x", place.x, -kFar, kFar);
+    archive.number("y", place.y, -kFar, kFar);
+    archive.number("width", place.width, 1, kFar);
+    archive.number("height", place.height, 1, kFar);
+    archive.field("maximized", place.maximized);
+    archive.field("known", place.known);
+}
+
+template <class Archive>
 void describe(Archive archive, WindowSettings& window) {
     archive.choice("theme", window.theme, ThemeKind::light);
     archive.number("scale", window.scale, kLeastScale, kMostScale);
@@ -159,6 +170,7 @@ nlohmann::json jsonOf(const EditorSettings& settings) {
     json["tool"] = written(settings.tool);
     json["view"] = written(settings.view);
     json["window"] = written(settings.window);
+    json["place"] = written(settings.window.place);
     json["input"] = written(settings.input);
     json["scene"] = toJson(settings.scene);
     json["keys"] = Json::object();
@@ -178,6 +190,7 @@ EditorSettings settingsFrom(const nlohmann::json& json) {
     read(json, "tool", settings.tool);
     read(json, "view", settings.view);
     read(json, "window", settings.window);
+    read(json, "place", settings.window.place);
     read(json, "input", settings.input);
     settings.scene = sceneSettingsFrom(json.value("scene", Json::object()));
     settings.input.keys = keymapFrom(json.value("keys", Json::object()));

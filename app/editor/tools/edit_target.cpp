@@ -92,6 +92,21 @@ Result<VoxelPatch> EditTarget::patch(const Session& session, const VoxelSet& set
                     inside);
 }
 
+MakePatches EditTarget::later(const Session& session, FindVoxels voxels, EditMode mode,
+                              const ToolSettings& settings) const {
+    const EditLimits now = limits(session, mode, settings.options);
+    const auto only = now.only != nullptr ? session.selection().sharedVoxels() : nullptr;
+    return [voxels = std::move(voxels), model = model_, images = symmetry(settings.options),
+            box = now.box, only, mode, colour = settings.colour](const Document& document) {
+        const VoxelGrid& grid = document.models[static_cast<std::size_t>(model)].voxels;
+        Result<VoxelSet> set = voxels(grid);
+        if (!set) return Result<std::vector<VoxelPatch>>(Failure(set.error()));
+        const EditLimits inside{box, only.get()};
+        return onePatch(patchSet(document, model, images.any() ? mirrored(*set, images) : *set,
+                                 mode, colour, inside));
+    };
+}
+
 std::string labelOf(EditMode mode, const char* noun) {
     std::string label;
     switch (mode) {

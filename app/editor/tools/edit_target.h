@@ -3,6 +3,7 @@
 // it, so that symmetry and limits hold for all tools alike.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -46,6 +47,12 @@ class EditTarget {
                                    EditMode mode, const ToolSettings& settings) const;
     [[nodiscard]] Result<VoxelPatch> patch(const Session& session, const VoxelSet& set,
                                            EditMode mode, const ToolSettings& settings) const;
+
+    // The same for so many voxels that nobody should wait for them: a function of the document
+    // alone, of which `voxels` finds those of the model.
+    using FindVoxels = std::function<Result<VoxelSet>(const VoxelGrid& model)>;
+    [[nodiscard]] MakePatches later(const Session& session, FindVoxels voxels, EditMode mode,
+                                    const ToolSettings& settings) const;
 
   private:
     int node_ = -1;

@@ -6,9 +6,8 @@
 namespace voxprite::editor {
 namespace {
 
-// A region larger than this is only outlined before the click: to show it whole would make the
-// pointer stick.
-constexpr std::uint64_t kMostShown = 100'000;
+// Of a region of more cubes of 8 than this nobody should wait for the end.
+constexpr std::size_t kQuickBlocks = 2'048;
 
 }  // namespace
 
@@ -17,56 +16,68 @@ EditMode FillTool::modeOf(const ToolContext& context) const {
     return kind_ == Kind::connected && mode == EditMode::attach ? EditMode::paint : mode;
 }
 
-Result<VoxelSet> FillTool::region(const ToolContext& context, const EditTarget& target,
+FillTool::Region FillTool::region(const ToolContext& context, const EditTarget& target,
                                   const Pick& pick) const {
-    const VoxelGrid& voxels = target.voxels(context.session);
     const ToolOptions& options = context.settings.options;
+    const RegionRule rule = options.region();
+    const glm::ivec3 hit = target.toModel(pick.voxel);
     if (kind_ == Kind::connected) {
-        return connectedRegion(voxels, target.toModel(pick.voxel), options.region());
+        return [=](const VoxelGrid& voxels, std::size_t maxBlocks) {
+            return connectedRegion(voxels, hit, rule, maxBlocks);
+        };
     }
     const glm::ivec3 normal = target.directionToModel(pick.normal);
     if (context.mode() != EditMode::attach) {
-        return faceRegion(voxels, target.toModel(pick.voxel), normal, options.region());
+        return [=](const VoxelGrid& voxels, std::size_t maxBlocks) {
+            return faceRegion(voxels, hit, normal, rule, maxBlocks);
+        };
     }
     // Within the artist's limits, or else within the model.
     const glm::ivec3 seed = target.toModel(pick.attachTo());
-    const IBox around = options.limited ? target.modelFromEntity().applyToBox(options.limits)
-                                        : voxels.bounds().united(IBox::around(seed, seed));
-    return planeRegion(voxels, seed, target.axisToModel(pick.axis()), around);
+    const int axis = target.axisToModel(pick.axis());
+    std::optional<IBox> limits;
+    if (options.limited) limits = target.modelFromEntity().applyToBox(options.limits);
+    return [=](const VoxelGrid& voxels, std::size_t maxBlocks) {
+        const IBox around = limits ? *limits : voxels.bounds().united(IBox::around(seed, seed));
+        return planeRegion(voxels, seed, axis, around, maxBlocks);
+    };
+}
+
+Action FillTool::actionOf(const ToolContext& context, const EditTarget& target,
+                          EditMode mode) const {
+    return makeActionLater(mode == EditMode::erase    ? "Erase region"
+                           : kind_ == Kind::connected ? "Fill"
+                                                      : "Fill plane",
+                           target.later(context.session, shown_->find(), mode, context.settings));
 }
 
 ToolResult FillTool::update(const ToolContext& context) {
     ToolResult result;
-    const bool pressed = context.input.pressed && context.pick;
-    if (pressed) {
-        const EditMode mode = modeOf(context);
-        const Result<EditTarget> target = EditTarget::at(context.session, mode, *context.pick);
-        if (!target) {
-            result.refusal = target.error().message;
-            return result;
+    show(context, result);
+    if (shown_ && shown_->box.empty()) {
+        if (const auto voxels = shown_->voxels->load()) {
+            shown_->box = shown_->modelFromEntity.inverse().applyToBox(voxels->bounds());
         }
-        const bool isShown =
-            shown_ && (aim_ == context.aim() || isStillOn(context.session, context.aim()));
-        const Result<VoxelSet> filled = isShown ? Result<VoxelSet>(std::move(shown_->voxels))
-                                                : region(context, *target, *context.pick);
-        Result<VoxelPatch> patch =
-            filled ? target->patch(context.session, *filled, mode, context.settings)
-                   : Result<VoxelPatch>(Failure(filled.error()));
-        cancel();
-        if (!patch) {
-            result.refusal = patch.error().message;
-            return result;
-        }
-        context.session.setActiveNode(target->node());
-        if (!patch->changes.empty()) {
-            const char* label = mode == EditMode::erase    ? "Erase region"
-                                : kind_ == Kind::connected ? "Fill"
-                                                           : "Fill plane";
-            result.action = makeAction(label, std::move(*patch));
-        }
+    }
+    if (!context.input.pressed || !context.pick) return result;
+    const EditMode mode = modeOf(context);
+    const Result<EditTarget> target = EditTarget::at(context.session, mode, *context.pick);
+    if (!target) {
+        result.refusal = target.error().message;
         return result;
     }
-    show(context, result);
+    if (!shown_) return result;
+    context.session.setActiveNode(target->node());
+    Action action = actionOf(context, *target, mode);
+    if (!shown_->isLarge) {
+        const Status made = makeParts(action, context.session.document());
+        if (!made) result.refusal = made.error().message;
+        const auto* patch =
+            action.parts.empty() ? nullptr : std::get_if<VoxelPatch>(&action.parts.front());
+        if (patch == nullptr || patch->changes.empty()) return result;
+    }
+    cancel();
+    result.action = std::move(action);
     return result;
 }
 
@@ -78,7 +89,9 @@ bool FillTool::isStillOn(const Session& session, const Aim& aim) const {
     const bool fillsEmpty = kind_ == Kind::plane && aim.mode == EditMode::attach;
     if (kind_ == Kind::plane && aim.pick->normal != aim_->pick->normal) return false;
     if (!fillsEmpty && session.nodeAt(aim.pick->voxel) != shown_->node) return false;
-    return shown_->voxels.contains(
+    const auto voxels = shown_->voxels->load();
+    if (!voxels) return false;
+    return voxels->contains(
         shown_->modelFromEntity.applyToVoxel(fillsEmpty ? aim.pick->attachTo() : aim.pick->voxel));
 }
 
@@ -94,14 +107,34 @@ void FillTool::show(const ToolContext& context, ToolResult& result) {
     const EditMode mode = modeOf(context);
     const Result<EditTarget> target = EditTarget::at(context.session, mode, *aim.pick);
     if (!target) return;
-    Result<VoxelSet> filled = region(context, *target, *aim.pick);
-    if (!filled) return;
-    shown_ = Shown{target->node(), target->modelFromEntity(), std::move(*filled), {}};
-    shown_->box = target->modelFromEntity().inverse().applyToBox(shown_->voxels.bounds());
-    if (shown_->voxels.count() > kMostShown) return;
-    if (auto patch = target->patch(context.session, shown_->voxels, mode, context.settings)) {
-        result.preview->push_back(std::move(*patch));
+    using Found = std::atomic<std::shared_ptr<const VoxelSet>>;
+    shown_ = Shown{target->node(),
+                   target->modelFromEntity(),
+                   region(context, *target, *aim.pick),
+                   std::make_shared<Found>(),
+                   {},
+                   false};
+    if (Result<VoxelSet> quick = shown_->region(target->voxels(context.session), kQuickBlocks)) {
+        shown_->isLarge = quick->count() > kLongStepVoxels;
+        shown_->voxels->store(std::make_shared<const VoxelSet>(std::move(*quick)));
+    } else {
+        shown_->isLarge = true;
     }
+    const MakePatches make = target->later(context.session, shown_->find(), mode, context.settings);
+    if (shown_->isLarge) {
+        result.largePreview = [make](const Session&) { return make; };
+    } else if (auto patches = make(context.session.document())) {
+        result.preview = std::move(*patches);
+    }
+}
+
+EditTarget::FindVoxels FillTool::Shown::find() const {
+    return [found = voxels, look = region](const VoxelGrid& model) -> Result<VoxelSet> {
+        if (const auto known = found->load()) return *known;
+        Result<VoxelSet> whole = look(model, kMaxRegionBlocks);
+        if (whole) found->store(std::make_shared<const VoxelSet>(*whole));
+        return whole;
+    };
 }
 
 void FillTool::cancel() {
@@ -114,6 +147,7 @@ void FillTool::draw(const ToolContext& context, const ViewDrawing& drawing,
     if (!context.pick || !shown_) return;
     const EditMode mode = modeOf(context);
     markFace(drawing, theme, *context.pick, mode);
+    if (shown_->box.empty()) return;
     drawing.box(shown_->box, withAlpha(colourOf(theme, mode), 0.8f), theme.px(1.5f));
 }
 

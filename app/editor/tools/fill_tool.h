@@ -3,6 +3,10 @@
 // paints or erases the face that was hit.
 #pragma once
 
+#include <atomic>
+#include <functional>
+#include <memory>
+
 #include "app/editor/tools/edit_target.h"
 #include "app/editor/tools/tool.h"
 
@@ -20,8 +24,12 @@ class FillTool final : public Tool {
 
   private:
     [[nodiscard]] EditMode modeOf(const ToolContext& context) const;
-    [[nodiscard]] Result<VoxelSet> region(const ToolContext& context, const EditTarget& target,
-                                          const Pick& pick) const;
+    // What the region is of a model, as a function of that alone; `maxBlocks` as regions.h has it.
+    using Region = std::function<Result<VoxelSet>(const VoxelGrid& model, std::size_t maxBlocks)>;
+    [[nodiscard]] Region region(const ToolContext& context, const EditTarget& target,
+                                const Pick& pick) const;
+    [[nodiscard]] Action actionOf(const ToolContext& context, const EditTarget& target,
+                                  EditMode mode) const;
     // Is the pointer on another voxel of the region that is shown, and nothing else new?
     [[nodiscard]] bool isStillOn(const Session& session, const Aim& aim) const;
     void show(const ToolContext& context, ToolResult& result);
@@ -30,8 +38,14 @@ class FillTool final : public Tool {
     struct Shown {
         int node = -1;
         Placement modelFromEntity;
-        VoxelSet voxels;  // model space
-        IBox box;         // entity space
+        Region region;
+        // Those of the region, model space, as soon as somebody has found them: of a large region,
+        // whoever works out the preview behind the window.
+        std::shared_ptr<std::atomic<std::shared_ptr<const VoxelSet>>> voxels;
+        IBox box;  // around them, entity space
+        bool isLarge = false;
+
+        [[nodiscard]] EditTarget::FindVoxels find() const;
     };
 
     Kind kind_;

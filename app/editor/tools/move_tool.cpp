@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <memory>
 
 #include "app/editor/session/selection_edits.h"
 #include "app/editor/tools/tool_marks.h"
@@ -12,9 +13,6 @@ namespace voxprite::editor {
 namespace {
 
 constexpr double kArrowPx = 84.0;
-// More than this is only outlined until it is put down: to show it in place on every move would
-// make the pointer stick.
-constexpr std::uint64_t kMostShown = 100'000;
 constexpr std::array<ImU32, 3> kAxisColours{
     IM_COL32(240, 96, 96, 255), IM_COL32(120, 210, 110, 255), IM_COL32(100, 150, 255, 255)};
 
@@ -184,8 +182,13 @@ void MoveTool::look(const ToolContext& context, ToolResult& result) {
     amount_ = floating->amount;
     box_ = floating->bounds();
     moved_ = box_.min - floating->home;
-    if (kind_ == Floating::Kind::move && floating->clip.voxels.solidCount() > kMostShown) {
+    if (floating->isLarge()) {
+        // Outlined at once; to show it in place on every move would make the pointer stick.
         floating_.clear();
+        result.largePreview = [](const Session& shown) -> MakePatches {
+            const auto inAir = std::make_shared<const Floating>(*shown.selection().floating());
+            return [inAir](const Document& document) { return onePatch(inAir->patch(document)); };
+        };
         return;
     }
     const Result<VoxelClip> made = floating->made();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "app/editor/tools/tool_marks.h"
 #include "core/edit/make_action.h"
@@ -200,14 +201,17 @@ std::vector<Handle> ShapeTool::handles() const {
     return handles;
 }
 
-Result<VoxelSet> ShapeTool::voxels(const ToolOptions& options) const {
+EditTarget::FindVoxels ShapeTool::voxels(const ToolOptions& options) const {
     const EditTarget& target = shape_->target;
     if (kind_ == ToolKind::line) {
         // An even tip is not its own mirror image: drawn where the artist sees it, then turned.
         const BrushTip tip{options.tip, options.tipEdge, shape_->start.axis()};
-        Result<VoxelSet> line = lineVoxels(tip, shape_->first, shape_->last);
-        if (!line) return line;
-        return transformed(*line, target.modelFromEntity());
+        return [tip, first = shape_->first, last = shape_->last,
+                modelFromEntity = target.modelFromEntity()](const VoxelGrid&) -> Result<VoxelSet> {
+            Result<VoxelSet> line = lineVoxels(tip, first, last);
+            if (!line) return line;
+            return transformed(*line, modelFromEntity);
+        };
     }
     Shape shape;
     shape.kind = kind_ == ToolKind::box        ? ShapeKind::box
@@ -216,7 +220,14 @@ Result<VoxelSet> ShapeTool::voxels(const ToolOptions& options) const {
     shape.box = target.modelFromEntity().applyToBox(shape_->box());
     shape.axis = target.axisToModel(shape_->start.axis());
     shape.hollow = options.hollow;
-    return shapeVoxels(shape);
+    return [shape](const VoxelGrid&) { return shapeVoxels(shape); };
+}
+
+bool ShapeTool::isLarge() const {
+    const glm::ivec3 size = shape_->box().size();
+    const auto voxels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y) *
+                        static_cast<std::uint64_t>(size.z);
+    return kind_ != ToolKind::line && voxels > kLongStepVoxels;
 }
 
 void ShapeTool::make(const ToolContext& context, ToolResult& result) {
@@ -228,19 +239,20 @@ void ShapeTool::make(const ToolContext& context, ToolResult& result) {
     if (made_ == now) return;
     made_ = now;
     patch_ = {shape_->target.model(), {}};
-    const Result<VoxelSet> set = voxels(context.settings.options);
-    if (!set) {
-        result.refusal = set.error().message;
-    } else {
-        Result<VoxelPatch> patch =
-            shape_->target.patch(context.session, *set, shape_->mode, context.settings);
-        if (patch) {
-            patch_ = std::move(*patch);
-        } else {
-            result.refusal = patch.error().message;
-        }
+    later_ = shape_->target.later(context.session, voxels(context.settings.options), shape_->mode,
+                                  context.settings);
+    result.preview.emplace();
+    if (isLarge()) {
+        result.largePreview = [make = later_](const Session&) { return make; };
+        return;
     }
-    result.preview = {patch_};
+    Result<std::vector<VoxelPatch>> made = std::exchange(later_, {})(context.session.document());
+    if (!made) {
+        result.refusal = made.error().message;
+        return;
+    }
+    patch_ = std::move(made->front());
+    result.preview->push_back(patch_);
 }
 
 void ShapeTool::showHover(const ToolContext& context, ToolResult& result) {
@@ -259,7 +271,9 @@ void ShapeTool::showHover(const ToolContext& context, ToolResult& result) {
 std::optional<Action> ShapeTool::confirm(Session& /*session*/) {
     if (!shape_) return std::nullopt;
     std::optional<Action> action;
-    if (!patch_.changes.empty()) {
+    if (later_) {
+        action = makeActionLater(labelOf(shape_->mode, noun()), std::move(later_));
+    } else if (!patch_.changes.empty()) {
         action = makeAction(labelOf(shape_->mode, noun()), std::move(patch_));
     }
     cancel();
@@ -269,6 +283,7 @@ std::optional<Action> ShapeTool::confirm(Session& /*session*/) {
 void ShapeTool::cancel() {
     shape_.reset();
     patch_ = {};
+    later_ = {};
     made_.reset();
     hovered_.reset();
     startsNext_ = false;

@@ -58,13 +58,16 @@ class ShapeTool final : public Tool {
     void makeRegular(int edge);
     void make(const ToolContext& context, ToolResult& result);
     void showHover(const ToolContext& context, ToolResult& result);
-    [[nodiscard]] Result<VoxelSet> voxels(const ToolOptions& options) const;
+    // In model space, whatever the model.
+    [[nodiscard]] EditTarget::FindVoxels voxels(const ToolOptions& options) const;
+    [[nodiscard]] bool isLarge() const;
     [[nodiscard]] std::vector<Handle> handles() const;
     [[nodiscard]] const char* noun() const;
 
     ToolKind kind_;
     std::optional<Pending> shape_;
-    VoxelPatch patch_;  // what shape_ makes of the document
+    VoxelPatch patch_;   // what shape_ makes of the document
+    MakePatches later_;  // the same when it is of very many voxels
     std::optional<Made> made_;
     std::optional<Aim> hovered_;
     int hot_ = -1;             // the handle under the pointer

@@ -1,5 +1,6 @@
 #include "app/editor/tools/stamp_tool.h"
 
+#include "app/editor/session/selection_edits.h"
 #include "app/editor/tools/tool_marks.h"
 #include "core/edit/clip.h"
 #include "core/edit/make_action.h"
@@ -20,27 +21,30 @@ IBox standOn(glm::ivec3 size, const Pick& pick) {
 
 }  // namespace
 
-Result<VoxelPatch> StampTool::patchOf(const ToolContext& context, const EditTarget& target,
-                                      const Pick& pick) {
+MakePatches StampTool::patchesOf(const ToolContext& context, const EditTarget& target,
+                                 const Pick& pick) {
     // As it looks on screen, whichever way the object was turned that it came from or goes to.
-    VoxelClip clip = *context.session.clip();
-    const IBox lies = clip.bounds();
+    const auto clip = context.session.clip();
+    const IBox lies = clip->bounds();
     box_ = standOn(lies.size(), pick);
-    moveBy(clip, box_.min - lies.min);
-    clip.modelFromClip = target.modelFromEntity() * clip.modelFromClip;
-
+    const Placement modelFromClip =
+        target.modelFromEntity() * translation(box_.min - lies.min) * clip->modelFromClip;
     const ToolOptions& options = context.settings.options;
-    VoxelPatch all{target.model(), {}};
-    for (const Placement& image : imagesOf(target.symmetry(options))) {
-        VoxelClip mirroredClip = clip;
-        mirroredClip.modelFromClip = image * clip.modelFromClip;
-        Result<VoxelPatch> patch =
-            patchPaste(context.session.document(), target.model(), mirroredClip, PasteRule::over,
-                       target.limits(context.session, EditMode::attach, options));
-        if (!patch) return patch;
-        mergeChanges(all.changes, patch->changes);
-    }
-    return all;
+    const std::optional<IBox> limits =
+        target.limits(context.session, EditMode::attach, options).box;
+    return [clip, modelFromClip, limits, images = imagesOf(target.symmetry(options)),
+            model = target.model()](const Document& document) -> Result<std::vector<VoxelPatch>> {
+        VoxelPatch all{model, {}};
+        VoxelClip mirroredClip = *clip;
+        for (const Placement& image : images) {
+            mirroredClip.modelFromClip = image * modelFromClip;
+            Result<VoxelPatch> patch =
+                patchPaste(document, model, mirroredClip, PasteRule::over, {limits, nullptr});
+            if (!patch) return Failure(patch.error());
+            mergeChanges(all.changes, patch->changes);
+        }
+        return onePatch(std::move(all));
+    };
 }
 
 ToolResult StampTool::update(const ToolContext& context) {
@@ -55,19 +59,37 @@ ToolResult StampTool::update(const ToolContext& context) {
         if (pressed) result.refusal = "Copy a selection first: Ctrl+C";
         return result;
     }
+    if (!clipFits(context.session)) {
+        result.preview.emplace();
+        if (pressed) result.refusal = "This was copied under another palette: paste it once first";
+        return result;
+    }
     if (!pressed) result.preview.emplace();
     if (!aim.pick) return result;
     const Result<EditTarget> target = EditTarget::at(context.session, EditMode::attach, *aim.pick);
-    Result<VoxelPatch> patch =
-        target ? patchOf(context, *target, *aim.pick) : Result<VoxelPatch>(Failure(target.error()));
-    if (!patch) {
-        if (pressed) result.refusal = patch.error().message;
+    if (!target) {
+        if (pressed) result.refusal = target.error().message;
+        return result;
+    }
+    const MakePatches make = patchesOf(context, *target, *aim.pick);
+    if (context.session.clip()->voxels.solidCount() > kLongStepVoxels) {
+        if (pressed) {
+            result.action = makeActionLater("Stamp", make);
+            cancel();
+        } else {
+            result.largePreview = [make](const Session&) { return make; };
+        }
+        return result;
+    }
+    Result<std::vector<VoxelPatch>> patches = make(context.session.document());
+    if (!patches) {
+        if (pressed) result.refusal = patches.error().message;
         return result;
     }
     if (!pressed) {
-        result.preview->push_back(std::move(*patch));
-    } else if (!patch->changes.empty()) {
-        result.action = makeAction("Stamp", std::move(*patch));
+        result.preview = std::move(*patches);
+    } else if (!patches->front().changes.empty()) {
+        result.action = makeAction("Stamp", std::move(patches->front()));
         cancel();
     }
     return result;

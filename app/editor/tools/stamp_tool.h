@@ -14,8 +14,8 @@ class StampTool final : public Tool {
     void cancel() override;
 
   private:
-    [[nodiscard]] Result<VoxelPatch> patchOf(const ToolContext& context, const EditTarget& target,
-                                             const Pick& pick);
+    [[nodiscard]] MakePatches patchesOf(const ToolContext& context, const EditTarget& target,
+                                        const Pick& pick);
 
     std::optional<Aim> aim_;
     IBox box_;  // where it would go; entity space

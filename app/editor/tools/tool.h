@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/session/large_preview.h"
 #include "app/editor/session/session.h"
 #include "app/editor/settings/settings.h"
 #include "app/editor/views/picking.h"
@@ -70,6 +71,9 @@ struct ToolContext {
 struct ToolResult {
     // The coming edit, shown in both views until the next one; nothing when it is as it was.
     std::optional<std::vector<VoxelPatch>> preview;
+    // What comes in its place when that is of very many voxels: shown once it has been worked out
+    // behind the window, if it is still what is coming.
+    PlanPreview largePreview;
     std::optional<Action> action;
     std::string refusal;  // why nothing happens, for the artist
 };

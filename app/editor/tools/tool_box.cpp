@@ -62,6 +62,7 @@ void ToolBox::take(ToolKind kind, Session& session, Outcome& outcome) {
     if (tool_) {
         if (auto action = tool_->confirm(session)) outcome.actions.push_back(std::move(*action));
     }
+    large_->drop();
     session.clearPreview();
     tool_ = makeTool(kind);
     kind_ = kind;
@@ -99,14 +100,18 @@ ToolBox::Outcome ToolBox::update(const ToolContext& context, bool picksColour) {
     ToolResult result = tool_->update(given);
     outcome.refusal = std::move(result.refusal);
     if (result.preview) {
+        large_->drop();
         if (const Status shown = session.preview(*result.preview); !shown) {
             outcome.refusal = shown.error().message;
         }
     }
+    if (result.largePreview) large_->ask(std::move(result.largePreview));
     if (result.action) {
+        large_->drop();
         outcome.actions.push_back(std::move(*result.action));
         restsPx_ = input.pointerPx;
     }
+    large_->update(session);
     return outcome;
 }
 
@@ -121,6 +126,7 @@ std::optional<Action> ToolBox::confirm(Session& session) {
 
 void ToolBox::cancel(Session& session) {
     if (tool_) tool_->cancel();
+    large_->drop();
     session.selection().setFloating(std::nullopt);
     session.clearPreview();
 }

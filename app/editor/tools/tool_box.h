@@ -24,6 +24,9 @@ class ToolBox {
     // It is dropped: Esc, undo.
     void cancel(Session& session);
     [[nodiscard]] bool busy() const { return tool_ && tool_->busy(); }
+    // A coming edit of very many voxels is still being worked out.
+    [[nodiscard]] bool previewsLater() const { return large_->working(); }
+    void finishPreview(Session& session) { large_->finish(session); }
     [[nodiscard]] bool wantsWheel() const { return tool_ && tool_->wantsWheel(); }
     [[nodiscard]] Tool* tool() { return tool_.get(); }
     [[nodiscard]] const Tool* tool() const { return tool_.get(); }
@@ -32,6 +35,7 @@ class ToolBox {
     void take(ToolKind kind, Session& session, Outcome& outcome);
 
     std::unique_ptr<Tool> tool_;
+    std::unique_ptr<LargePreview> large_ = std::make_unique<LargePreview>();
     ToolKind kind_ = ToolKind::brush;
     // Models go when adding them is undone, and with them what a tool was making of them.
     std::size_t models_ = 0;

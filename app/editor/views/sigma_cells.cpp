@@ -4,6 +4,7 @@
 
 #include "app/editor/panels/widgets.h"
 #include "app/editor/window/icons.h"
+#include "app/editor/window/imgui_texture.h"
 
 namespace voxprite::editor {
 namespace {
@@ -103,8 +104,7 @@ void showSigmaCells(Ui& ui, const ViewCanvas& canvas, std::span<const CellArea> 
         const ImVec2 max = canvas.toWindow(glm::dvec2(areas[i].min + areas[i].size));
         if (cell.frame != nullptr && cell.problem.empty()) {
             // The texture's rows run upward.
-            const auto texture = static_cast<std::uintptr_t>(cell.frame->colourTexture());
-            draw.AddImage(reinterpret_cast<ImTextureID>(texture), min, max, {0, 1}, {1, 0});
+            draw.AddImage(imguiTexture(cell.frame->colourTexture()), min, max, {0, 1}, {1, 0});
         }
         const std::string detail =
             cell.problem.empty() ? detailOf(cell, comparison.sigmas[i]) : cell.problem;

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/views/view_cube.h"
+#include "app/editor/window/imgui_texture.h"
 
 namespace voxprite::editor {
 namespace {
@@ -38,9 +39,8 @@ ViewInput ViewCanvas::begin(Ui& ui, const char* name, ImVec2 min, ImVec2 size) {
                      ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
     ImGui::PopStyleVar();
     // The texture's rows run upward.
-    const auto texture = static_cast<std::uintptr_t>(frame().colourTexture());
-    overlay().AddImage(reinterpret_cast<ImTextureID>(texture), min,
-                       {min.x + size.x, min.y + size.y}, {0, 1}, {1, 0});
+    overlay().AddImage(imguiTexture(frame().colourTexture()), min, {min.x + size.x, min.y + size.y},
+                       {0, 1}, {1, 0});
     ImGui::SetCursorScreenPos(min);
     ImGui::InvisibleButton("canvas", size,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |

@@ -81,7 +81,7 @@ void VoxelViewport::frameBox(const IBox& box) {
     camera_.frame(boundsCorners(box), 0.2, canvas_.sizePx());
 }
 
-void VoxelViewport::show(Ui& ui, ImVec2 min, ImVec2 size, std::string& refusal) {
+void VoxelViewport::show(Ui& ui, ImVec2 min, ImVec2 size, bool edits, std::string& refusal) {
     ViewInput input = canvas_.begin(ui, "view.edit", min, size);
     scale_ = ui.theme.scale;
     const ImGuiIO& io = ImGui::GetIO();
@@ -106,7 +106,7 @@ void VoxelViewport::show(Ui& ui, ImVec2 min, ImVec2 size, std::string& refusal) 
             pick(ui.session.octree(), ui.session.bounds(), camera.rayThrough(input.pointerPx));
     }
     const ToolContext context{ui.session, ui.settings.tool, camera, hand, hovered_, ui.theme.scale};
-    useTools(ui, context, refusal);
+    if (edits) useTools(ui, context, refusal);
     drawSocketsOverVoxels(ui, ViewDrawing(canvas_, camera));
     tools_.draw(context, ViewDrawing(canvas_, camera), ui.theme);
     canvas_.drawViewCube(ui, camera_);

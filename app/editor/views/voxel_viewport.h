@@ -21,7 +21,8 @@ class VoxelViewport {
     [[nodiscard]] static Result<VoxelViewport> create();  // needs the window's GL context
 
     // The user interface; edits go to ui.edits, the reason why a tool does nothing to `refusal`.
-    void show(Ui& ui, ImVec2 min, ImVec2 size, std::string& refusal);
+    // Tools rest while nothing may be edited.
+    void show(Ui& ui, ImVec2 min, ImVec2 size, bool edits, std::string& refusal);
     // Draws the picture again if anything in it changed; true when it did.
     bool render(const Session& session, const GpuOctree& octree, const EditorSettings& settings);
 
@@ -36,6 +37,7 @@ class VoxelViewport {
     [[nodiscard]] const std::optional<Pick>& hovered() const { return hovered_; }
     // The tool in hand, for its options.
     [[nodiscard]] ToolBox& tools() { return tools_; }
+    [[nodiscard]] const ToolBox& tools() const { return tools_; }
 
   private:
     VoxelViewport(VoxelView view, Overlay overlay)

@@ -7,8 +7,9 @@
 
 #include <algorithm>
 #include <array>
-#include <glm/common.hpp>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 #include "render/gl/context.h"
 
@@ -93,15 +94,18 @@ double displayScale() {
     return x > 0.0f ? static_cast<double>(x) : 1.0;
 }
 
-// As large as asked for, scaled, but never larger than the screen.
-glm::ivec2 fittedSize(glm::ivec2 sizePx, double scale) {
-    glm::ivec2 size(static_cast<int>(sizePx.x * scale), static_cast<int>(sizePx.y * scale));
-    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
-        glm::ivec2 corner(0), area(0);
-        glfwGetMonitorWorkarea(monitor, &corner.x, &corner.y, &area.x, &area.y);
-        if (area.x > 0 && area.y > 0) size = glm::min(size, area);
+// The primary one first.
+std::vector<WorkArea> workAreas() {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    std::vector<WorkArea> areas;
+    for (int i = 0; i < count; ++i) {
+        WorkArea area;
+        glfwGetMonitorWorkarea(monitors[i], &area.corner.x, &area.corner.y, &area.size.x,
+                               &area.size.y);
+        if (area.size.x > 0 && area.size.y > 0) areas.push_back(area);
     }
-    return size;
+    return areas;
 }
 
 }  // namespace
@@ -111,7 +115,7 @@ Window::~Window() = default;
 Window::Window(Window&&) noexcept = default;
 Window& Window::operator=(Window&&) noexcept = default;
 
-Result<Window> Window::open(const std::string& title, glm::ivec2 sizePx,
+Result<Window> Window::open(const std::string& title, const WindowPlace& place,
                             std::optional<double> contentScale) {
     if (glfwInit() == GLFW_FALSE) {
         return fail("no display to open a window on (" + glfwReason() +
@@ -124,12 +128,17 @@ Result<Window> Window::open(const std::string& title, glm::ivec2 sizePx,
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    const glm::ivec2 size = fittedSize(sizePx, contentScale.value_or(displayScale()));
-    impl->window = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
+    const WindowPlace fitted = placeOn(workAreas(), place, contentScale.value_or(displayScale()));
+    // It is shown once it is where it belongs.
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_MAXIMIZED, fitted.maximized ? GLFW_TRUE : GLFW_FALSE);
+    impl->window = glfwCreateWindow(fitted.width, fitted.height, title.c_str(), nullptr, nullptr);
     if (impl->window == nullptr) {
         return fail("no window with OpenGL 4.5 (" + glfwReason() + ")");
     }
     glfwSetWindowSizeLimits(impl->window, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    if (fitted.known && !fitted.maximized) glfwSetWindowPos(impl->window, fitted.x, fitted.y);
+    glfwShowWindow(impl->window);
     glfwMakeContextCurrent(impl->window);
     glfwSwapInterval(1);
     if (const Status loaded = gl::loadCurrent(&glfwGetProcAddress); !loaded) {
@@ -154,6 +163,22 @@ double Window::contentScale() const {
     float x = 1.0f, y = 1.0f;
     glfwGetWindowContentScale(impl_->window, &x, &y);
     return x > 0.0f ? static_cast<double>(x) : 1.0;
+}
+
+WindowPlace Window::place(const WindowPlace& before) const {
+    WindowPlace place = before;
+    place.maximized = glfwGetWindowAttrib(impl_->window, GLFW_MAXIMIZED) == GLFW_TRUE;
+    if (place.maximized || glfwGetWindowAttrib(impl_->window, GLFW_ICONIFIED) == GLFW_TRUE) {
+        return place;
+    }
+    glm::ivec2 size(0);
+    glfwGetWindowSize(impl_->window, &size.x, &size.y);
+    glfwGetWindowPos(impl_->window, &place.x, &place.y);
+    const double scale = contentScale();
+    place.width = static_cast<int>(std::round(size.x / scale));
+    place.height = static_cast<int>(std::round(size.y / scale));
+    place.known = true;
+    return place;
 }
 
 double Window::seconds() {

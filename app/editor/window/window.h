@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/editor/window/input.h"
+#include "app/editor/window/window_place.h"
 #include "core/base/image.h"
 #include "core/base/result.h"
 
@@ -17,8 +18,9 @@ enum class CursorShape : std::uint8_t { arrow, text, hand, resizeHorizontal, res
 
 class Window {
   public:
-    // `sizePx` at content scale 1. The context is current on the calling thread from then on.
-    [[nodiscard]] static Result<Window> open(const std::string& title, glm::ivec2 sizePx,
+    // As `place` says, on a display that is there and no larger than it. The context is current on
+    // the calling thread from then on.
+    [[nodiscard]] static Result<Window> open(const std::string& title, const WindowPlace& place,
                                              std::optional<double> contentScale);
     ~Window();
     Window(Window&&) noexcept;
@@ -26,6 +28,8 @@ class Window {
 
     [[nodiscard]] glm::ivec2 framebufferPx() const;
     [[nodiscard]] double contentScale() const;
+    // Where it is now. Of a maximised window the place is `before`, which it returns to.
+    [[nodiscard]] WindowPlace place(const WindowPlace& before) const;
     [[nodiscard]] static double seconds();  // a clock that only runs forward
 
     // Collects what happened; waits for it up to `waitSeconds` (0: not at all).

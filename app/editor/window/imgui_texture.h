@@ -1,0 +1,16 @@
+// OpenGL's textures, as the user interface names them.
+#pragma once
+
+#include <imgui.h>
+
+#include <cstdint>
+
+namespace voxprite::editor {
+
+// Dear ImGui passes on a pointer that its OpenGL backend reads as the texture's number.
+[[nodiscard]] inline ImTextureID imguiTexture(std::uint32_t texture) {
+    const auto number = static_cast<std::uintptr_t>(texture);
+    return reinterpret_cast<ImTextureID>(number);  // NOLINT(performance-no-int-to-ptr): see above
+}
+
+}  // namespace voxprite::editor
