@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
 
 #include "app/cli/text_table.h"
@@ -51,6 +52,7 @@ class FrameBench {
             placeEntity(Entity{}, IBox{glm::ivec3(0), model.octree.size}, GameProfile{});
         const Palette palette = model.file.empty() ? Palette::standard() : model.document.palette;
         for (const auto& [name, radii] : kDistances) {
+            if (effort_.quick && std::string_view(name) != "filling") continue;
             const Camera camera = orbitCamera({30.0, 25.0, 0.0}, placed.centreMetres(),
                                               radii * placed.radiusMetres(), 45.0, kFramePx);
             const auto draw = [&](const VoxelViewOptions& options) {
@@ -133,14 +135,14 @@ Status benchClusterFrames(const std::vector<BenchModel>& models, const Effort& e
     if (!view) return Failure(view.error());
     FrameBench bench(*view, effort, out);
     for (const int edge : {64, 128, 256, 512}) {
-        if (effort.quick && edge > 128) break;
+        if (effort.quick && edge > 64) break;
         const Result<BenchModel> shell = shellModel(edge);
         if (!shell) return Failure(shell.error());
         progress(effort, "cluster frames: " + shell->name);
         if (Status status = bench.run(*shell); !status) return status;
     }
     for (const BenchModel& model : models) {
-        if (model.name.starts_with("shell")) continue;
+        if (effort.quick || model.name.starts_with("shell")) continue;
         progress(effort, "cluster frames: " + model.name);
         if (Status status = bench.run(model); !status) return status;
     }
