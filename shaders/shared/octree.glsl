@@ -5,14 +5,25 @@
 
 layout(binding = 0) uniform usampler2D svo_texture;
 
-// Nodes of edge 2^LEAF_LEVEL are leaves, solid ones if they hold anything.
-#ifndef LEAF_LEVEL
-#define LEAF_LEVEL 0
+// With LEAF_LEVEL defined, nodes of edge 2^LEAF_LEVEL are leaves, solid ones if they hold anything.
+int leafLevel() {
+#ifdef LEAF_LEVEL
+    return LEAF_LEVEL;
+#else
+    return 0;
 #endif
+}
 
 const uint kWidthBits = 12u;  // the texture is 4096 texels wide
 const uint kInternal = 0x80000000u;
 const uint kBrick = 0x40000000u;
+
+bool hasChildren(uint word, int shift) {
+#ifdef LEAF_LEVEL
+    if (shift <= LEAF_LEVEL) return false;
+#endif
+    return (word & kInternal) != 0u;
+}
 
 uint svoTexel(uint index) {
     return texelFetch(svo_texture,
@@ -28,10 +39,6 @@ uint firstMaterial(uint word) {
     uint materials = svoTexel(payload);
     if (materials == 0u) materials = svoTexel(payload + 1u);
     return (materials >> (uint(findLSB(materials)) & 24u)) & 0xFFu;
-}
-
-uint leafWord(uint word, int shift) {
-    return LEAF_LEVEL > 0 && shift == LEAF_LEVEL ? firstMaterial(word) : word;
 }
 
 // A cube of one material: the cell itself in a brick, or the largest node known to be of one kind.
@@ -51,7 +58,7 @@ uint path_words[17];  // by shift
 void startAtRoot(out Cursor cursor) {
     cursor.cell = ivec3(0);
     cursor.shift = int(svo_max_depth);
-    path_words[cursor.shift] = leafWord(svoTexel(node_offset), cursor.shift);
+    path_words[cursor.shift] = svoTexel(node_offset);
 }
 
 Region regionAt(ivec3 cell, inout Cursor cursor) {
@@ -59,7 +66,7 @@ Region regionAt(ivec3 cell, inout Cursor cursor) {
     int shift = max(cursor.shift, findMSB(changed.x | changed.y | changed.z) + 1);
     uint word = path_words[shift];
     Region region = Region(0u, shift);
-    while ((word & kInternal) != 0u) {
+    while (hasChildren(word, region.shift)) {
         --region.shift;
         ivec3 bits = (cell >> region.shift) & 1;
         uint octant = uint(bits.x | (bits.y << 1) | (bits.z << 2));
@@ -67,13 +74,19 @@ Region regionAt(ivec3 cell, inout Cursor cursor) {
         if (((children >> octant) & 1u) == 0u) break;
         uint child = ((word & 0x7FFFFF00u) >> 8u) +
                      uint(bitCount(children & ((1u << octant) - 1u)));
+        word = svoTexel(node_offset + child);
         shift = region.shift;
-        word = leafWord(svoTexel(node_offset + child), shift);
         path_words[shift] = word;
     }
     cursor.cell = cell;
     cursor.shift = shift;
-    if ((word & kInternal) != 0u) return region;
+    if (region.shift < shift) return region;  // there is no such child
+#ifdef LEAF_LEVEL
+    if (region.shift <= LEAF_LEVEL && word > 0xFFu) {
+        region.material = 1u;  // of several: castQuantised asks for the first
+        return region;
+    }
+#endif
     if ((word & kBrick) != 0u) {
         ivec3 bits = cell & 1;
         uint payload = payload_offset + 2u * (word & 0x3FFFFFFFu) + uint(bits.z);

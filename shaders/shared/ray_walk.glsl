@@ -1,8 +1,7 @@
 // A ray quantised, walked exactly: the twin of castQuantised of core/trace/raycast.h, bit for bit
 // for the same integers. In tree space: steps from the root's minimum corner.
 //
-// Products need 43 bits: exact in doubles. Who includes this defines LEAF_LEVEL and declares what
-// octree.glsl asks for.
+// Products need 43 bits: exact in doubles. Who includes this declares what octree.glsl asks for.
 
 #define LATTICE_WIDE
 int position_bits = 0;
@@ -24,7 +23,11 @@ Meeting castQuantised(ivec3 origin, ivec3 direction, bool inside, ivec3 low, ive
     Crossing crossing = latest(box_low, start);
     // From inside, every crossing up to the start has been made.
     if (inside && crossing.numerator <= 0.0LF) crossing = Crossing(3, 0.0LF, 1.0LF);
-    return walkLine(crossing, start, cursor);
+    Meeting met = walkLine(crossing, start, cursor);
+    if (leafLevel() > 0 && met.material != 0u) {
+        met.material = firstMaterial(path_words[cursor.shift]);
+    }
+    return met;
 }
 
 // The model's box in tree coordinates, grown to whole nodes of the leaf level.
@@ -32,6 +35,6 @@ void castableBox(out ivec3 low, out ivec3 high) {
     int edge = 1 << int(svo_max_depth);
     low = clamp(tree_from_voxel, 0, edge);
     high = clamp(tree_from_voxel + ivec3(svo_model_size), 0, edge);
-    low = (low >> LEAF_LEVEL) << LEAF_LEVEL;
-    high = (((high - 1) >> LEAF_LEVEL) + 1) << LEAF_LEVEL;
+    low = (low >> leafLevel()) << leafLevel();
+    high = (((high - 1) >> leafLevel()) + 1) << leafLevel();
 }

@@ -143,11 +143,11 @@ vec3 voxelColour(Hit hit, FacePoint point, inout Cursor cursor) {
         float lost =
             occlusion_shown == 1
                 ? 0.4 * cornerShade(hit, point.faces_up, point.position, cursor)
-                : 0.85 * rayOcclusion(hit, point.faces_up, point.position, cursor);
+                : 0.7 * rayOcclusion(hit, point.faces_up, point.position, cursor);
         light *= 1.0 - lost * (1.0 - smoothstep(0.5, 1.0, large));
     }
     if (edges_shown != 0) {
-        float cube = float(1 << LEAF_LEVEL);
+        float cube = float(1 << leafLevel());
         light *= 1.0 - 0.16 * edgeShade(point.position / cube, point.footprint / cube);
     }
     return base * light;

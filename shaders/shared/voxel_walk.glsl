@@ -8,8 +8,6 @@
 // DEPTH_LIMIT: nodes of edge 2^view_leaf_level are the smallest cubes.
 #ifdef DEPTH_LIMIT
 #define LEAF_LEVEL view_leaf_level
-#else
-#define LEAF_LEVEL 0
 #endif
 
 #include "shared/ray_walk.glsl"
@@ -65,8 +63,8 @@ Hit castRay(vec3 origin, vec3 direction, float nearest, out Cursor cursor) {
         return hit;
     }
     hit.axis = met.axis;
-    int node = met.cell[hit.axis] >> LEAF_LEVEL;
-    int face = (direction[hit.axis] < 0.0 ? node + 1 : node) << LEAF_LEVEL;
+    int node = met.cell[hit.axis] >> leafLevel();
+    int face = (direction[hit.axis] < 0.0 ? node + 1 : node) << leafLevel();
     hit.t = (float(face - middle) - origin[hit.axis]) / direction[hit.axis];
     // A ray that grazes a face may meet its plane elsewhere than the line walked does.
     float walked = enter + float(met.crossing.numerator / met.crossing.denominator) *
