@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/svo/coarsen.h"
 #include "tests/core/trace/dense_model.h"
 #include "tests/core/trace/raycast_rays.h"
 
@@ -75,6 +76,36 @@ TEST(RaycastDepth, FewerLevelsCostFewerNodes) {
         EXPECT_GT(hits, 1000);
         EXPECT_GT(counters.iterations + counters.nodes, before) << depth;
         before = counters.iterations + counters.nodes;
+    }
+}
+
+// The cubes at a limit are the voxels of the octree made that much coarser, wherever a ray goes;
+// its colours follow another rule.
+TEST(RaycastDepth, TheLimitsCubesAreTheCoarserOctrees) {
+    Rays rays(6);
+    for (const DenseModel& model : {randomVoxels({40, 21, 33}, 0.01, 8), figure(1), shell(32)}) {
+        const NaiveOctree tree(model);
+        for (int levels = 1; levels < tree.octree.maxDepth; ++levels) {
+            const Result<Octree> coarse = coarsen(tree.octree, levels);
+            ASSERT_TRUE(coarse);
+            const int edge = 1 << levels;
+            int hits = 0;
+            for (int n = 0; n < 3000; ++n) {
+                const Ray ray =
+                    n % 2 == 0 ? rays.common(model.size, 1.0) : rays.special(model.size);
+                const Ray small{ray.origin / double(edge), ray.direction};
+                const int depth = tree.octree.maxDepth - levels;
+                const RaycastHit got = raycast(tree.view(), ray, {.maxDepth = depth});
+                const RaycastHit want = raycast(coarse->view(), small);
+                ASSERT_EQ(got.hit, want.hit) << model.name << ' ' << describe(ray);
+                if (!got.hit) continue;
+                ++hits;
+                ASSERT_EQ(got.voxel, want.voxel * edge) << model.name << ' ' << describe(ray);
+                ASSERT_EQ(got.normal, want.normal) << model.name << ' ' << describe(ray);
+                ASSERT_NEAR(got.t, want.t * edge, 1e-9 * (1.0 + got.t));
+            }
+            EXPECT_GT(hits, 500);
+        }
     }
 }
 
