@@ -142,8 +142,7 @@ Status SceneLook::look(Record& record, const SceneEntity& entity, const Camera& 
     if (visible.size.x <= 0 || visible.size.y <= 0) return {};
     record.seen = true;
     sprite.key = {record.octreeRevision, 0, shownLattice(view.lattice, visible), 0};
-    sprite.block =
-        screenBlock(view, sprite.key.lattice, entity.placed, *entity.octree, camera);
+    sprite.block = screenBlock(view, sprite.key.lattice, entity.placed, *entity.octree, camera);
     sprite.corners = screenCorners(view, sprite.key.lattice, camera);
     sprite.light8 = view.light8;
     sprite.narrow = castsNarrow(sprite.key.lattice, entity.octree->size());
