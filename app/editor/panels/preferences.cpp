@@ -10,7 +10,7 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr float kWidth = 640.0f, kHeight = 540.0f;
+constexpr float kWidth = 640.0f, kHeight = 600.0f;
 
 constexpr std::array kThemes{Choice{"Dark", "Calm greys, for long evenings"},
                              Choice{"Light", "For bright rooms"}};

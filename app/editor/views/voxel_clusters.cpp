@@ -55,6 +55,10 @@ void VoxelClusters::start(const Session& session, const Model& model) {
                 failed_ = model;
                 return;
             }
+            // Frames of another model say nothing of this one.
+            const std::size_t before = clusters_.indexCount();
+            const std::size_t now = (*mesh)->indices.size();
+            if (now > 2 * before || before > 2 * now) times_.forget();
             clusters_.upload(**mesh);
             made_ = model;
             maxDepth_ = octree->view.maxDepth;
