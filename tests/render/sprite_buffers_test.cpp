@@ -94,6 +94,20 @@ VoxelGrid scattered(std::uint64_t seed, glm::ivec3 size, int count) {
     return voxels;
 }
 
+// A view whose products outgrow 31 bits.
+LatticeView finest(const OrbitAngles& angles, glm::ivec3 modelSize) {
+    LatticeView lattice = must(quantiseView(test::orthoView(angles, 1.0), modelSize));
+    const int finer = 1 << (13 - lattice.positionBits);
+    lattice.positionBits = 13;
+    lattice.C *= finer;
+    lattice.U *= finer;
+    lattice.V *= finer;
+    const PixelBounds bounds = must(pixelBounds(lattice, modelSize));
+    lattice.first = bounds.first;
+    lattice.size = bounds.size;
+    return lattice;
+}
+
 // Light that picks from the palette: the shaders only look up, so nothing can differ.
 TEST_F(SpriteBuffers, ShadingWithinThePalette) {
     Palette palette = Palette::standard();
@@ -125,11 +139,15 @@ TEST_F(SpriteBuffers, OcclusionAndShadows) {
         }
     }
     EXPECT_EQ(narrow_, 40);
-    // The longest rays there are, in the wide path.
-    lit_ = litPalette(Palette::standard(), test::shadedLights({-1.0, 0.001, 0.002}), Outline{});
-    compareViews(scattered(11, {65'536, 40, 700}, 60), "long slab", {{33.0, 21.0, 0.0}},
-                 {1.0 / 64.0});
+    // The wide path asks the same of its faces.
+    const GpuModel ball(test::shellSphere(64));
+    compare(ball, finest({33.0, 21.0, 0.0}, ball.octree.size), "wide");
     EXPECT_EQ(wide_, 1);
+    // The longest rays there are.
+    lit_ = litPalette(Palette::standard(), test::shadedLights({-1.0, 0.001, 0.002}), Outline{});
+    compareViews(scattered(11, {65'536, 40, 700}, 60), "long slab", {{80.0, 5.0, 0.0}},
+                 {1.0 / 64.0});
+    EXPECT_EQ(narrow_ + wide_, 42);
 }
 
 TEST_F(SpriteBuffers, AsymmetricModelFromEverywhere) {
@@ -201,16 +219,8 @@ TEST_F(SpriteBuffers, LargeModels) {
 TEST_F(SpriteBuffers, FineLatticesTakeTheWidePath) {
     const GpuModel model(test::shellSphere(64));
     for (const OrbitAngles& angles : allKindsOfViews(6, 12)) {
-        LatticeView lattice = must(quantiseView(test::orthoView(angles, 1.0), model.octree.size));
-        const int finer = 1 << (13 - lattice.positionBits);
-        lattice.positionBits = 13;
-        lattice.C *= finer;
-        lattice.U *= finer;
-        lattice.V *= finer;
-        const PixelBounds bounds = must(pixelBounds(lattice, model.octree.size));
-        lattice.first = bounds.first;
-        lattice.size = bounds.size;
-        compare(model, lattice, "yaw " + std::to_string(angles.yawDegrees));
+        compare(model, finest(angles, model.octree.size),
+                "yaw " + std::to_string(angles.yawDegrees));
     }
     EXPECT_GE(wide_, 20);
 }

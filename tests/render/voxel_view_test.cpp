@@ -318,6 +318,46 @@ TEST_F(VoxelViews, CornersBetweenVoxelsAreShaded) {
     EXPECT_EQ(greenAt(14.9), open);
 }
 
+// Short rays see farther than corners, and their shade has no steps: neither between faces nor
+// within one.
+TEST_F(VoxelViews, ShortRaysShadeSmoothly) {
+    VoxelGrid voxels = test::solidBox({16, 16, 1}, 40);
+    voxels.fill(IBox{{0, 15, 1}, {16, 16, 8}}, 40);
+    const GpuModel model(voxels);
+    const PlacedEntity placed = model.placedAt({0, 0, 0}, GameProfile{});
+    const Camera above = camera(placed, {0, 90, 0}, 3.0);
+    VoxelView renderer = must(VoxelView::create());
+    Frame frame(kViewport);
+    const auto greensToward = [&](VoxelOcclusion occlusion) {
+        VoxelViewOptions options;
+        options.edges = false;
+        options.occlusion = occlusion;
+        renderer.draw(frame, model.gpu, model.palette, placed, above, options);
+        const Image image = frame.readColour();
+        std::vector<int> greens;
+        const glm::ivec2 from(above.project(placed.worldFromVoxel({8.3, 6.0, 1.0})).screenPx);
+        const glm::ivec2 to(above.project(placed.worldFromVoxel({8.3, 14.8, 1.0})).screenPx);
+        for (int y = from.y; y >= to.y; --y) greens.push_back(image.at(from.x, y).y);
+        return greens;
+    };
+    const std::vector<int> rays = greensToward(VoxelOcclusion::rays);
+    const std::vector<int> corners = greensToward(VoxelOcclusion::corners);
+    const int open = greensToward(VoxelOcclusion::off).front();
+    ASSERT_GT(rays.size(), 40U);
+    EXPECT_EQ(rays.front(), open);
+    EXPECT_LT(rays.back(), open * 4 / 5);
+    int raysReach = 0, cornersReach = 0;
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+        raysReach += rays[k] < open ? 1 : 0;
+        cornersReach += corners[k] < open ? 1 : 0;
+        if (k > 0) {
+            EXPECT_LE(rays[k], rays[k - 1]) << k;
+            EXPECT_LE(rays[k - 1] - rays[k], open / 16) << k;
+        }
+    }
+    EXPECT_GT(raysReach, 2 * cornersReach);
+}
+
 TEST_F(VoxelViews, SpriteLightGivesFacesTheSpritesOwnColours) {
     const GpuModel model(test::solidBox({6, 6, 6}, 40));
     const PlacedEntity placed = model.placedAt({0, 0, 0}, GameProfile{}, 70.0);

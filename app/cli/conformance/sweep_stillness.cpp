@@ -28,8 +28,16 @@ struct Viewer {
     GameProfile profile;
     ViewHistory history{};
 
-    LatticeView look(const Camera& camera) {
-        return seen(subject.centredAt(glm::dvec3(0.0), profile), camera, profile, &history).lattice;
+    // All that the pixels are made of.
+    struct Picture {
+        LatticeView lattice;
+        FaceLights lights;
+        bool operator==(const Picture&) const = default;
+    };
+    Picture look(const Camera& camera) {
+        const SpriteView view =
+            seen(subject.centredAt(glm::dvec3(0.0), profile), camera, profile, &history);
+        return {view.lattice, view.light8};
     }
 };
 
@@ -37,9 +45,11 @@ struct Viewer {
 
 Sweep sweepStillness() {
     const double step = kUsualViewStepDegrees;
-    Sweep sweep{"stillness",
-                "cameras that tremble by 1e-7 ... 1e-3 rad for 500 frames, on steps, between them "
-                "and straight above, both views; and ways from A to B and back"};
+    Sweep sweep{
+        "stillness",
+        "cameras that tremble by 1e-7 ... 1e-3 rad for 500 frames, on steps, between them "
+        "and straight above, both views, with occlusion and shadows; and ways from A to B and "
+        "back"};
     const Subject subject = letters();
     Sequence random(31);
     double snappedChanges = 0.0;
@@ -48,6 +58,7 @@ Sweep sweepStillness() {
     for (const ViewRule rule : {ViewRule::towardEntity, ViewRule::cameraForward}) {
         GameProfile profile = plainProfile();
         profile.view = rule;
+        profile.light.occlusion = profile.light.shadow = 0.5;
         for (const double viewStep : {0.0, step}) {
             profile.viewStepDegrees = viewStep;
             for (const OrbitAngles angles : {OrbitAngles{0, 0, 0},
@@ -59,10 +70,10 @@ Sweep sweepStillness() {
                 for (const double radians : {1e-7, 1e-5, 1e-3}) {
                     Viewer viewer{subject, profile};
                     const Camera camera = orbit(angles.yawDegrees, angles.pitchDegrees, kDistance);
-                    LatticeView shown = viewer.look(camera);
+                    Viewer::Picture shown = viewer.look(camera);
                     double& count = viewStep > 0.0 ? snappedChanges : changes;
                     for (int frame = 0; frame < kFrames; ++frame) {
-                        const LatticeView next = viewer.look(trembled(camera, radians, random));
+                        const Viewer::Picture next = viewer.look(trembled(camera, radians, random));
                         count += next == shown ? 0.0 : 1.0;
                         shown = next;
                     }
@@ -77,7 +88,7 @@ Sweep sweepStillness() {
             };
             const Camera a = orbit(near(20.0), near(9.0), kDistance);
             Viewer viewer{subject, profile};
-            const LatticeView before = viewer.look(a);
+            const Viewer::Picture before = viewer.look(a);
             for (int k = 0; k < 6; ++k)
                 static_cast<void>(viewer.look(
                     orbit(random.between(-180, 180), random.between(-88, 88), kDistance)));
