@@ -157,6 +157,13 @@ void FileBrowser::drawList(Ui& ui, float height, bool& accepted) {
     if (into) enter(*into);
 }
 
+std::string FileBrowser::endingFor(const fs::path& path) const {
+    const std::string extension = lower(path.extension().string());
+    const bool known =
+        std::ranges::find(request_.extensions, extension) != request_.extensions.end();
+    return known || request_.extensions.empty() ? extension : request_.extensions.front();
+}
+
 std::optional<fs::path> FileBrowser::accept() {
     if (name_.empty()) {
         problem_ = request_.saving ? "The file needs a name" : "Choose a file";
@@ -174,10 +181,7 @@ std::optional<fs::path> FileBrowser::accept() {
         problem_ = "There is no such file";
         return std::nullopt;
     }
-    const std::string extension = lower(path.extension().string());
-    if (std::ranges::find(request_.extensions, extension) == request_.extensions.end()) {
-        path += request_.extensions.front();
-    }
+    if (lower(path.extension().string()) != endingFor(path)) path += request_.extensions.front();
     if (fs::exists(path, ignored) && overwrite_ != path.string()) {
         overwrite_ = path.string();
         problem_ = path.filename().string() + " exists. Press again to replace it";
@@ -187,7 +191,7 @@ std::optional<fs::path> FileBrowser::accept() {
 }
 
 void FileBrowser::drawNote(Ui& ui) {
-    const std::string extension = lower(fs::path(name_).extension().string());
+    const std::string extension = endingFor(name_);
     if (request_.losses && lossesFor_ != extension) {
         losses_ = request_.losses("model" + extension);
         lossesFor_ = extension;

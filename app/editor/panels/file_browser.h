@@ -37,6 +37,8 @@ class FileBrowser {
     void enter(const std::filesystem::path& folder);
     void drawPath(Ui& ui);
     void drawList(Ui& ui, float height, bool& accepted);
+    // The ending that a file of this name is saved with.
+    [[nodiscard]] std::string endingFor(const std::filesystem::path& path) const;
     [[nodiscard]] std::optional<std::filesystem::path> accept();
     // Why the name cannot be used, else what its format leaves out.
     void drawNote(Ui& ui);
