@@ -152,20 +152,18 @@ Status benchClusterFrames(const std::vector<BenchModel>& models, const Effort& e
 std::string clusterFrameTable(const Json& figures) {
     std::vector<std::vector<std::string>> rows{{"model", "distance", "rays, ms"}};
     for (const double budget : kBudgetsPx) {
-        const std::string column = "clusters, " + cli::textOf(budget) + " px";
-        rows[0].insert(rows[0].end(), {column + ", ms", "triangles", "wrong pixels, %"});
+        rows[0].push_back("clusters, " + cli::textOf(budget) + " px: ms (wrong pixels)");
     }
     for (const Json& figure : figures) {
         if (!figure.contains("distance")) continue;
-        const std::string ms = cli::textOf(figure["ms"].get<double>());
+        const std::string ms = cli::textOf(std::round(figure["processor_ms"].get<double>()));
         if (figure["mode"] == "rays") {
             rows.push_back(
                 {figure["model"].get<std::string>(), figure["distance"].get<std::string>(), ms});
             continue;
         }
-        rows.back().insert(rows.back().end(),
-                           {ms, std::to_string(figure["triangles"].get<std::uint64_t>()),
-                            cli::textOf(100.0 * figure["wrong"].get<double>())});
+        const double wrong = std::round(1000.0 * figure["wrong"].get<double>()) / 10.0;
+        rows.back().push_back(ms + " (" + cli::textOf(wrong) + " %)");
     }
     return cli::textOf(rows, cli::TableStyle::markdown);
 }

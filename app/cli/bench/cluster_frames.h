@@ -14,7 +14,8 @@ namespace voxprite::bench {
 [[nodiscard]] Status benchClusterFrames(const std::vector<BenchModel>& models, const Effort& effort,
                                         Json& out);
 
-// Those figures as a table in Markdown: a row a model and distance, a column a budget.
+// Those figures as a table in Markdown: a row a model and distance, a column a budget. Milliseconds
+// are those of one core, which depend little on what else the machine does.
 [[nodiscard]] std::string clusterFrameTable(const Json& figures);
 
 }  // namespace voxprite::bench
