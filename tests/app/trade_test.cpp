@@ -128,9 +128,8 @@ TEST_F(Trade, SnappedViewsChangeInSteps) {
 // The denser the set, the less unlike; in every distance. A snapshot of the seed's kind is unlike
 // the sprite even where it is of the right view.
 TEST_F(Trade, DenserSetsOfSnapshotsAreLessUnlike) {
-    ASSERT_TRUE(saveDocument(file("figure.vox"), documentOf(figure()), GameProfile{}));
-    const nlohmann::json report =
-        run({"trade", "--snapshots", "--json", file("figure.vox")}).json();
+    ASSERT_TRUE(saveDocument(file("arms.vox"), documentOf(asymmetric()), GameProfile{}));
+    const nlohmann::json report = run({"trade", "--snapshots", "--json", file("arms.vox")}).json();
     std::map<std::string, nlohmann::json> sprites;
     for (const nlohmann::json& row : report.at("snapshots")) {
         ASSERT_EQ(row.at("distances").size(), 3u);

@@ -85,6 +85,8 @@ double unlikeAtViews(SnapshotKind kind) {
         camera.up = worldFromVoxel(axes[1]);
         camera.forward = worldFromVoxel(axes[2]);
         camera.eyeMetres = camera.forward * -8.0 * entity.radiusMetres();
+        camera.viewportPx = glm::ivec2(256);
+        camera.verticalFovDegrees = 20.0;
         const SpriteView exact = seen(entity, camera, profile);
         const SpriteBuffer buffer = castSprite(subject.octree.view(), exact.lattice,
                                                litPalette(palette, exact.light8, profile.outline));
