@@ -51,7 +51,10 @@ MakePatch patchOfSet(int model, VoxelSet set, EditMode mode, std::uint8_t colour
 
 // As it looks on screen.
 VoxelClip clipOf(const Session& session, const Chosen& chosen) {
-    VoxelClip clip = copyVoxels(gridOf(session, chosen.model), chosen.voxels);
+    const VoxelGrid& grid = gridOf(session, chosen.model);
+    // All of it is much sooner copied as it is.
+    VoxelClip clip = chosen.voxels.count() == grid.solidCount() ? VoxelClip{grid, {}}
+                                                                : copyVoxels(grid, chosen.voxels);
     clip.modelFromClip = chosen.entityFromModel;
     return clip;
 }
