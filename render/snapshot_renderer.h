@@ -5,7 +5,7 @@
 // (Kind `sprite` is the scene renderer's: an entity with a set of views, SceneEntity::views.)
 //
 // Against the CPU's snapshots and blit: the same pictures but where a ray of the voxel view, which
-// aims in single precision, passes an edge on the other side: less than five pixels in ten thousand.
+// aims in single precision, passes an edge on the other side: of ten thousand pixels five at most.
 #pragma once
 
 #include <cstdint>
