@@ -44,7 +44,7 @@ TEST_F(Bench, RaysAtEveryDepthAgreeWithOpenGl) {
             EXPECT_LT(figure.at("iterations_a_ray").get<double>(), 3 * 64) << figure;
         }
         if (by == "frame") {
-            EXPECT_EQ(figure.at("size"), json({1920, 1080}));
+            EXPECT_GT(figure.at("ms").get<double>(), 0.0) << figure;
         }
     }
     EXPECT_EQ(figures["gl"], 8);

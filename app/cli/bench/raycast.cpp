@@ -18,6 +18,7 @@ namespace voxprite::bench {
 namespace {
 
 constexpr glm::ivec2 kFramePx{1920, 1080};
+constexpr glm::ivec2 kQuickFramePx{960, 540};
 constexpr int kLevelsLeftOut = 2;
 constexpr OrbitAngles kViews[] = {{30, 20, 0}, {115, 60, 0}, {0, 0, 0}, {45, 35.264, 0}};
 
@@ -41,7 +42,12 @@ std::vector<Ray> eyeRaysOf(const PlacedEntity& placed, int edgePx) {
 class RaycastBench {
   public:
     RaycastBench(RayBatch& batch, VoxelView& view, const Effort& effort, Json& out)
-        : batch_(batch), view_(view), effort_(effort), out_(out) {}
+        : batch_(batch),
+          view_(view),
+          effort_(effort),
+          out_(out),
+          framePx_(effort.quick ? kQuickFramePx : kFramePx),
+          frame_(framePx_) {}
 
     Status run(const BenchModel& model, const char* kind) {
         const int depth = model.octree.maxDepth;
@@ -127,12 +133,12 @@ class RaycastBench {
         const double ms = medianMs(effort_, [&] {
             yaw += 0.37;
             const Camera camera = orbitCamera({yaw, 20.0, 0.0}, placed.centreMetres(),
-                                              1.8 * placed.radiusMetres(), 45.0, kFramePx);
+                                              1.8 * placed.radiusMetres(), 45.0, framePx_);
             view_.draw(frame_, gpu, palette_, placed, camera, options);
             glFinish();
         });
         Json& one = figure("frame");
-        one["size"] = {kFramePx.x, kFramePx.y};
+        one["size"] = {framePx_.x, framePx_.y};
         one["ms"] = ms;
         one["frames_per_s"] = 1000.0 / ms;
     }
@@ -141,8 +147,9 @@ class RaycastBench {
     VoxelView& view_;
     Effort effort_;
     Json& out_;
+    glm::ivec2 framePx_;
     Palette palette_ = Palette::standard();
-    Frame frame_{kFramePx};
+    Frame frame_;
 };
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace voxprite::bench {
 std::string raycastTable(const Json& figures) {
     std::vector<std::vector<std::string>> rows{{"model", "depth", "cast down to",
                                                 "nodes passed a ray", "Mrays/s, 1 thread",
-                                                "all threads", "OpenGL", "1920x1080, ms"}};
+                                                "all threads", "OpenGL", "full screen, ms"}};
     std::size_t threads = 0;  // figures of the processor in this row
     for (const Json& figure : figures) {
         const std::string by = figure["by"].get<std::string>();
