@@ -184,6 +184,21 @@ std::span<const Command> viewCommands() {
             {.id = occlusionRays, .tag = "occlusion_rays", .name = "Shade by short rays"}),
         switchCommand<&ViewSettings::sunShadow>(
             {.id = toggleSunShadow, .tag = "sun_shadow", .name = "Shadows in the edit view"}),
+        switchCommand<&ViewSettings::proxyBox>({.id = toggleProxyBox,
+                                                .tag = "proxy_box",
+                                                .name = "Proxy box",
+                                                .icon = icon::kWireframe,
+                                                .chords = {shift(GLFW_KEY_P)},
+                                                .separator = true}),
+        switchCommand<&ViewSettings::anchorMarker>({.id = toggleAnchorMarker,
+                                                    .tag = "anchor_marker",
+                                                    .name = "Anchor marker",
+                                                    .icon = icon::kAnchor,
+                                                    .chords = {key(GLFW_KEY_O)}}),
+        switchCommand<&ViewSettings::groundGrid>(
+            {.id = toggleGroundGrid, .tag = "ground_grid", .name = "Ground lines, one a metre"}),
+        switchCommand<&ViewSettings::shadow>(
+            {.id = toggleShadow, .tag = "shadow", .name = "Shadow in the game scene"}),
         drawByCommand<DrawBy::automatic>(
             {.id = drawByAutomatic, .tag = "draw_by_automatic", .name = "What is faster"}),
         drawByCommand<DrawBy::rays>(
@@ -204,21 +219,6 @@ std::span<const Command> viewCommands() {
                         if (view.tintClusters) view.drawBy = DrawBy::clusters;
                     },
                 .on = [](const CommandContext& c) { return c.settings.view.tintClusters; }},
-        switchCommand<&ViewSettings::proxyBox>({.id = toggleProxyBox,
-                                                .tag = "proxy_box",
-                                                .name = "Proxy box",
-                                                .icon = icon::kWireframe,
-                                                .chords = {shift(GLFW_KEY_P)},
-                                                .separator = true}),
-        switchCommand<&ViewSettings::anchorMarker>({.id = toggleAnchorMarker,
-                                                    .tag = "anchor_marker",
-                                                    .name = "Anchor marker",
-                                                    .icon = icon::kAnchor,
-                                                    .chords = {key(GLFW_KEY_O)}}),
-        switchCommand<&ViewSettings::groundGrid>(
-            {.id = toggleGroundGrid, .tag = "ground_grid", .name = "Ground lines, one a metre"}),
-        switchCommand<&ViewSettings::shadow>(
-            {.id = toggleShadow, .tag = "shadow", .name = "Shadow in the game scene"}),
         Command{.id = savedCameras,
                 .tag = "saved_cameras",
                 .menu = MenuId::view,
