@@ -121,7 +121,7 @@ class Parser {
             turn = turn * *next;
         }
         const Result<Cube> cube = readPlainCube(depth);
-        if (!cube) return cube;
+        if (!cube) return Failure(cube.error());
         return cubes_.turned(*cube, turn);
     }
 
@@ -159,7 +159,7 @@ class Parser {
                                            std::to_string(child));
             }
             const Result<Cube> cube = readCube(depth + 1);
-            if (!cube) return cube;
+            if (!cube) return Failure(cube.error());
             children[csm::octantFromCsm(child)] = *cube;
         }
         skipSpace();

@@ -131,7 +131,7 @@ std::vector<std::string> csmLosses(const Document& document) {
     tell(document.clips.size(), ".csm has no clips: ");
     tell(document.sockets.size(), ".csm has no sockets: ");
     if (document.entity != Entity{}) {
-        losses.push_back(".csm has no entity: anchor, rotation, scale and place are left out");
+        losses.emplace_back(".csm has no entity: anchor, rotation, scale and place are left out");
     }
     const IBox bounds = frameBounds(document, 0);
     const glm::ivec3 corner = cubeFor(document, bounds).min;
