@@ -158,7 +158,7 @@ Status SnapshotRenderer::Impl::prepare(const GameProfile& profile, const Snapsho
         return fail("a snapshot is 1 ... " + std::to_string(kMostSnapshotPx) +
                     " pixels wide, not " + std::to_string(rules.sizePx));
     }
-    if (const Status fits = Frame::checkSize(glm::ivec2(rules.sizePx)); !fits) return fits;
+    if (Status fits = Frame::checkSize(glm::ivec2(rules.sizePx)); !fits) return fits;
     const Made now{profile.light, profile.shading, rules.views.name(), rules.sizePx};
     if (now != made) {
         layers.reset(rules.sizePx, mostBytes);

@@ -58,9 +58,9 @@ class ScreenSnapshot {
     [[nodiscard]] double depthMetres(std::size_t index) const {
         if (depths_ == nullptr) return plane_.depthMetres;
         const auto width = static_cast<std::size_t>(buffer_.size.x);
-        const glm::dvec2 pixel{
-            static_cast<double>(index % width) + buffer_.first.x,
-            buffer_.first.y + buffer_.size.y - 1 - static_cast<double>(index / width)};
+        const auto column = static_cast<int>(index % width);
+        const auto row = static_cast<int>(index / width);
+        const glm::dvec2 pixel(buffer_.first + glm::ivec2(column, buffer_.size.y - 1 - row));
         // The shift of a registration at the anchor moves the picture and not the model.
         const glm::dvec2 fromCentre =
             (pixel + 0.5 - plane_.pixelFromCentre - plane_.registrationShiftPx) *

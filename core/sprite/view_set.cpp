@@ -214,6 +214,7 @@ std::vector<ViewSet::Weighted> ViewSet::blend(glm::dvec3 towardEye) const {
     if (!towards) return {};
     const glm::dvec3 query = asked(*towards);
     std::vector<Weighted> all;
+    all.reserve(directions_.size());
     for (int view = 0; view < count(); ++view) {
         all.push_back({view, angleBetween(direction(view), query)});
     }

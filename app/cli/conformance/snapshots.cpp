@@ -192,6 +192,7 @@ void measureCost(const Onlooker& onlooker, const Rule& rule, SnapshotFigures& fi
 std::vector<SnapshotFigures> measureSnapshots(const std::vector<TurningModel>& models) {
     const std::vector<Rule> all = rules();
     std::vector<SnapshotFigures> figures;
+    figures.reserve(all.size());
     for (const Rule& rule : all)
         figures.push_back({rule.kind, rule.views.name(), rule.views.count()});
     const std::vector<Way> ways = randomWays();
