@@ -5,12 +5,11 @@
 #include <glm/geometric.hpp>
 
 #include "core/sprite/sprite_view.h"
-#include "core/svo/bake.h"
 #include "core/svo/coarsen.h"
 #include "core/trace/lattice_caster.h"
+#include "tests/core/sprite/subject.h"
 #include "tests/support/must.h"
 #include "tests/support/random.h"
-#include "tests/support/voxels.h"
 
 namespace voxprite {
 namespace {
@@ -34,6 +33,10 @@ Camera cameraToward(glm::dvec3 place) {
     camera.right = glm::normalize(glm::cross(camera.forward, glm::dvec3(0, 1, 0)));
     camera.up = glm::cross(camera.right, camera.forward);
     return camera;
+}
+
+IBox boundsOf(const Octree& octree) {
+    return {octree.origin, octree.origin + octree.size};
 }
 
 TEST(CoarseEntity, EveryVoxelLiesInItsCell) {
@@ -65,11 +68,9 @@ TEST(CoarseEntity, EveryVoxelLiesInItsCell) {
 
 TEST(CoarseEntity, HasTheSizeOfTheCoarseOctree) {
     for (const glm::ivec3 shift : {glm::ivec3(0), glm::ivec3(3, -5, 1), glm::ivec3(-1)}) {
-        VoxelGrid voxels;
-        test::figure().forEachSolid(
-            [&](glm::ivec3 v, std::uint8_t value) { voxels.set(v + shift, value); });
-        const Octree octree = must(bake(voxels));
-        const PlacedEntity fine = placeEntity(Entity{}, voxels.bounds(), GameProfile{});
+        Octree octree = test::figure().octree;
+        octree.origin = shift;
+        const PlacedEntity fine = placeEntity(Entity{}, boundsOf(octree), GameProfile{});
         for (int levels = 0; levels <= 6; ++levels) {
             EXPECT_EQ(coarseEntity(fine, octree.origin, levels).modelSize,
                       must(coarsen(octree, levels)).size);
@@ -99,9 +100,8 @@ TEST(CoarseEntity, PlaneDepthAndPixelsAreThoseOfTheFineOne) {
 
 // What the eye ray through a screen position hits in the fine model, the coarse one covers.
 TEST(CoarseEntity, CoversTheFineSprite) {
-    const VoxelGrid voxels = test::figure();
-    const Octree octree = must(bake(voxels));
-    const PlacedEntity fine = placeEntity(turnedEntity(), voxels.bounds(), GameProfile{});
+    const Octree octree = test::figure().octree;
+    const PlacedEntity fine = placeEntity(turnedEntity(), boundsOf(octree), GameProfile{});
     const Camera camera = cameraToward(fine.anchorMetres);
     const auto viewOf = [&](const PlacedEntity& placed) {
         return *must(viewSprite(placed, camera, GameProfile{})).view;
