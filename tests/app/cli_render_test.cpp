@@ -1,5 +1,6 @@
 // `voxprite render`: the same sprite from every backend and mode, and what its options do.
 #include <fstream>
+#include <set>
 
 #include "core/base/hash.h"
 #include "core/io/formats.h"
@@ -107,7 +108,9 @@ TEST_F(CliRender, EveryBackendAndModeCastsTheSameBuffer) {
         {"--pitch", "90", "--yaw", "30"},
         {"--yaw", "45", "--pitch", "35.264"},
         {"--yaw", "-20", "--pitch", "10", "--roll", "5", "--sigma", "7.5"},
-        {"--yaw", "200", "--pitch", "-40", "--sigma", "1", "--rotate", "10,20,30", "--scale", "2"}};
+        {"--yaw", "200", "--pitch", "-40", "--sigma", "1", "--rotate", "10,20,30", "--scale", "2"},
+        {"--yaw", "35", "--pitch", "25", "--occlusion", "0.7", "--shadow", "0.8"},
+        {"--yaw", "-60", "--rotate", "77,5,-9", "--sigma", "1.5", "--shadow", "1"}};
     for (const auto& view : views) {
         Json buffers[3];
         const std::vector<std::string> ways[3] = {{"--backend", "cpu"},
@@ -123,6 +126,49 @@ TEST_F(CliRender, EveryBackendAndModeCastsTheSameBuffer) {
         EXPECT_GT(buffers[0]["opaque"].get<int>(), 0);
     }
     EXPECT_EQ(render({"--mode", "single_pass"})["buffer"], render({})["buffer"]);
+}
+
+TEST_F(CliRender, OcclusionAndShadowChangeColoursAlone) {
+    const std::vector<std::string> view{"--yaw", "35", "--pitch", "25"};
+    const auto shaded = [&](std::vector<std::string> options) {
+        options.insert(options.end(), view.begin(), view.end());
+        return render(options)["buffer"];
+    };
+    const Json plain = shaded({});
+    EXPECT_EQ(shaded({"--occlusion", "0", "--shadow", "0"}), plain);
+    std::set<std::string> pictures{plain["sha256"].get<std::string>()};
+    for (const std::vector<std::string>& options : {std::vector<std::string>{"--occlusion", "0.5"},
+                                                    {"--shadow", "0.5"},
+                                                    {"--occlusion", "0.5", "--shadow", "0.5"},
+                                                    {"--occlusion", "0.9", "--shadow", "0.5"}}) {
+        const Json buffer = shaded(options);
+        EXPECT_EQ(buffer["ids_sha256"], plain["ids_sha256"]);
+        EXPECT_TRUE(pictures.insert(buffer["sha256"].get<std::string>()).second);
+    }
+    // The profile says the same, and the option wins.
+    std::ofstream(file("p.json"))
+        << R"({"voxprite_profile": 1, "minification": false, "light": {"shadow": 0.5}})";
+    EXPECT_EQ(shaded({"--profile", file("p.json")}), shaded({"--shadow", "0.5"}));
+    EXPECT_EQ(shaded({"--profile", file("p.json"), "--shadow", "0"}), plain);
+    for (const char* option : {"--occlusion", "--shadow"}) {
+        EXPECT_EQ(run({"render", model(), "-o", file("o.png"), option, "1.5"}).status, 2);
+    }
+}
+
+// In perspective the faces have the same light as in the sprite.
+TEST_F(CliRender, ShadedVoxelsAgreeBetweenBackends) {
+    for (const std::string backend : {"cpu", "gl"}) {
+        render({"--mode", "voxels", "--yaw", "30", "--pitch", "20", "--size", "128x128",
+                "--occlusion", "0.8", "--shadow", "0.9", "--backend", backend, "-o",
+                file(backend + ".png")});
+    }
+    render({"--mode", "voxels", "--yaw", "30", "--pitch", "20", "--size", "128x128", "-o",
+            file("plain.png")});
+    const auto differing = [&](const std::string& other) {
+        return run({"compare", file("cpu.png"), file(other), "--json"}).json()["mismatch_rate"];
+    };
+    EXPECT_LT(differing("gl.png").get<double>(), 0.002);
+    EXPECT_GT(differing("plain.png").get<double>(), 0.02);
 }
 
 TEST_F(CliRender, VoxelsAgreeBetweenBackends) {

@@ -299,6 +299,27 @@ TEST_F(SpritePicture, IsTheSpriteOfTheViewWithoutItsEmptyEdges) {
     EXPECT_TRUE(right && bottom);
 }
 
+// The game's occlusion and shadow are in the picture at once, and go with undo.
+TEST_F(SpritePicture, FollowsTheGamesLight) {
+    const auto pixels = [&] { return spritePicture(session_, camera_, {}, 1).value().pixels; };
+    const std::vector<Rgba8> plain = pixels();
+    std::vector<std::vector<Rgba8>> shaded;
+    for (double Light::*strength : {&Light::occlusion, &Light::shadow}) {
+        GameProfile profile = session_.profile();
+        profile.light.*strength = 0.75;
+        ASSERT_TRUE(session_.perform(makeAction("", ProfileEdit{session_.profile(), profile})));
+        shaded.push_back(pixels());
+    }
+    EXPECT_NE(shaded[0], plain);
+    EXPECT_NE(shaded[1], shaded[0]);
+    ASSERT_TRUE(session_.undo());
+    EXPECT_EQ(pixels(), shaded[0]);
+    ASSERT_TRUE(session_.undo());
+    EXPECT_EQ(pixels(), plain);
+    ASSERT_TRUE(session_.redo());
+    EXPECT_EQ(pixels(), shaded[0]);
+}
+
 TEST_F(SpritePicture, IsMagnifiedPixelByPixel) {
     const Result<Image> small = spritePicture(session_, camera_, {}, 1);
     const Result<Image> large = spritePicture(session_, camera_, {}, 4);
