@@ -60,6 +60,7 @@ TEST_F(GlBasics, EveryShaderCompilesInEveryVariant) {
         {"overlay_triangle.vert", "overlay_triangle.frag"},
         {"cluster.vert", "cluster.frag"},
         {"cluster_view.vert", "cluster_view.frag"},
+        {"cluster_view.vert", "cluster_depth.frag"},
         {"snapshot.vert", "snapshot.frag"},
         {"bench_seed.vert", "bench_seed.frag"}};
     std::vector<std::string> used;
