@@ -214,6 +214,8 @@ TEST_F(ToolsOnABlock, UndoneByEscapeAndTooLargeIsRefused) {
     dragShape(ToolKind::box, {2, 3, -1}, {5, 4, -1});
     for (std::size_t i = 0; i < 3; ++i) tools.tool()->setFigure(i, 1024);
     moveTo({5, 5});
+    tools.finishPreview(session);
+    moveTo({5, 5});
     EXPECT_NE(refusal, "");
     EXPECT_EQ(shown(), start);
     tools.cancel(session);

@@ -121,26 +121,26 @@ TEST_F(LargeEdits, WhatFloatsStaysInTheAirUntilItIsDown) {
     EXPECT_EQ(session.shownOctree().at({70, 0, 10}), 5);
     EXPECT_EQ(session.shownOctree().at({0, 0, 0}), 0);
 
-    Result<std::optional<Action>> down = putDown(session);
-    ASSERT_TRUE(down && *down);
-    EXPECT_TRUE(session.isLong(**down));
+    Result<std::optional<Action>> landing = putDown(session);
+    ASSERT_TRUE(landing && *landing);
+    EXPECT_TRUE(session.isLong(**landing));
     EXPECT_TRUE(session.selection().floating());
     // Stopped: it is still there, and nothing has changed.
     std::stop_source stop;
     stop.request_stop();
-    ASSERT_FALSE(session.prepare(**down, Progress({}, stop.get_token())));
+    ASSERT_FALSE(session.prepare(**landing, Progress({}, stop.get_token())));
     session.dropPrepared();
     EXPECT_TRUE(session.selection().floating());
     EXPECT_EQ(made(), test::solidBox({kEdge, kEdge, kEdge}, 5));
 
-    down = putDown(session);
-    ASSERT_TRUE(down && *down);
-    ASSERT_TRUE(session.perform(std::move(**down)));
+    landing = putDown(session);
+    ASSERT_TRUE(landing && *landing);
+    ASSERT_TRUE(session.perform(std::move(**landing)));
     EXPECT_FALSE(session.selection().floating());
     EXPECT_EQ(session.bounds(), (IBox{{7, -2, 1}, {71, 62, 65}}));
     EXPECT_EQ(session.selection().voxels(), VoxelSet(session.bounds()));
     expectInOrder();
-    commitUndo();
+    ASSERT_TRUE(session.undo());
     EXPECT_EQ(made(), test::solidBox({kEdge, kEdge, kEdge}, 5));
     EXPECT_EQ(session.selection().voxels(), VoxelSet(kCube)) << "selected as it was then";
 }

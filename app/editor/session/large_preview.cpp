@@ -40,16 +40,21 @@ void LargePreview::drop() {
     job_.cancel();
     plan_ = {};
     ready_.reset();
+    problem_.reset();
 }
 
 void LargePreview::begin(Session& session) {
     const auto make = std::exchange(plan_, {})(session);
+    if (!make) return;
     job_.start("Preview", [this, make, document = session.snapshot(), frame = session.frame(),
                            revision = session.revision()](JobProgress& progress) {
         const std::stop_token stop = progress.stopToken();
-        BackgroundJob::Done nothing;
+        const BackgroundJob::Done nothing;
         const Result<std::vector<VoxelPatch>> patches = make(*document);
-        if (!patches || stop.stop_requested()) return nothing;
+        if (stop.stop_requested()) return nothing;
+        if (!patches) {
+            return BackgroundJob::Done([this, error = patches.error()] { problem_ = error; });
+        }
         Document after = *document;
         const auto picture = std::make_shared<Picture>();
         picture->filled = patchAll(after, frame, *patches);

@@ -6,13 +6,14 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "app/editor/session/background_job.h"
 #include "app/editor/session/session.h"
 
 namespace voxprite::editor {
 
-// Called once it is worth to begin; what it returns is called on another thread.
+// Called once it is worth to begin; what it returns, if anything, is called on another thread.
 using PlanPreview = std::function<MakePatches(const Session&)>;
 
 class LargePreview {
@@ -26,6 +27,8 @@ class LargePreview {
     void update(Session& session);
     // Until what was asked for is shown, or turned out to be impossible.
     [[nodiscard]] bool working() const { return plan_ || job_.running(); }
+    // Why what was asked for last cannot be done; told once.
+    [[nodiscard]] std::optional<Error> takeProblem() { return std::exchange(problem_, {}); }
     // For scripts, which do one thing after another.
     void finish(Session& session);
 
@@ -41,6 +44,7 @@ class LargePreview {
     std::chrono::steady_clock::time_point asked_;
     BackgroundJob job_;
     std::shared_ptr<Picture> ready_;
+    std::optional<Error> problem_;
 };
 
 }  // namespace voxprite::editor

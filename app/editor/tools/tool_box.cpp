@@ -105,13 +105,21 @@ ToolBox::Outcome ToolBox::update(const ToolContext& context, bool picksColour) {
             outcome.refusal = shown.error().message;
         }
     }
-    if (result.largePreview) large_->ask(std::move(result.largePreview));
+    if (result.largePreview) {
+        // Of the document as it is: of another one the tool asks anew.
+        large_->ask([plan = std::move(result.largePreview),
+                     revision = session.revision()](const Session& now) -> MakePatches {
+            if (now.revision() != revision) return {};
+            return plan(now);
+        });
+    }
     if (result.action) {
         large_->drop();
         outcome.actions.push_back(std::move(*result.action));
         restsPx_ = input.pointerPx;
     }
     large_->update(session);
+    if (const auto problem = large_->takeProblem()) outcome.refusal = problem->message;
     return outcome;
 }
 
