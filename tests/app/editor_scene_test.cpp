@@ -171,6 +171,28 @@ TEST(SceneSettings, AreKeptAndBroughtIntoRange) {
     settings.comparison.cells = 4;
     settings.comparison.sigmas = {1.0, 2.0, 3.0, 4.0};
     EXPECT_EQ(sceneSettingsFrom(toJson(settings)), settings);
+    settings.comparison.cells = 0;
+    settings.representations = {.rule = DrawRule::coarse,
+                                .errorBudget = 0.07,
+                                .coarserLevels = 3,
+                                .views = "hemisphere:12",
+                                .clusterBudgetPx = 2.5,
+                                .tint = true,
+                                .compared = true,
+                                .comparedSizePx = 40.0};
+    EXPECT_EQ(sceneSettingsFrom(toJson(settings)), settings);
+    const RepresentationSettings range =
+        sceneSettingsFrom(nlohmann::json::parse(
+                              R"({"representations": {"rule": 9, "error_budget": -1,
+                                  "coarser_levels": 8, "views": "cube:3", "cluster_budget_px": 99,
+                                  "compared_size_px": 1e9}})"))
+            .representations;
+    EXPECT_EQ(range.rule, DrawRule::coarse);
+    EXPECT_EQ(range.errorBudget, kLeastErrorBudget);
+    EXPECT_EQ(range.coarserLevels, kMostCoarserLevels);
+    EXPECT_EQ(range.views, RepresentationSettings{}.views);
+    EXPECT_EQ(range.clusterBudgetPx, kMostClusterBudgetPx);
+    EXPECT_EQ(range.comparedSizePx, kMostComparedPx);
     const SceneSettings odd = sceneSettingsFrom(nlohmann::json::parse(
         R"({"pattern": 77, "copies": -4, "spacing": 0, "picture_scale": 99, "compared": 3,
             "sigmas": [0, 1e9, 1, 2]})"));

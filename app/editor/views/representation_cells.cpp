@@ -270,8 +270,13 @@ void RepresentationCells::caption(Ui& ui, const Cell& cell, ImVec2 min, ImVec2 m
 void RepresentationCells::drawBar(Ui& ui, ImVec2 min, ImVec2 max) {
     const Theme& theme = ui.theme;
     RepresentationSettings& settings = ui.settings.scene.representations;
+    // A window of its own: what is pressed here is not pressed in the view.
+    ImGui::SetCursorScreenPos(min);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme.panel);
+    ImGui::BeginChild("represent.bar", {max.x - min.x, max.y - min.y}, false,
+                      ImGuiWindowFlags_NoScrollbar);
+    ImGui::PopStyleColor();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddRectFilled(min, max, theme.panel);
     const float button = theme.px(28), gap = theme.px(8), pad = theme.px(8);
     ImGui::SetCursorScreenPos({min.x + pad, min.y + std::round((max.y - min.y - button) * 0.5f)});
     commandButton(ui, CommandId::flyRepresentations, settings.flying ? Lit::filled : Lit::off,
@@ -299,6 +304,7 @@ void RepresentationCells::drawBar(Ui& ui, ImVec2 min, ImVec2 max) {
     if (iconButton(ui, "represent.close", icon::kClose, Lit::off, button, "Back to the scene")) {
         ui.commands.ask(CommandId::compareRepresentations);
     }
+    ImGui::EndChild();
 }
 
 }  // namespace voxprite::editor
