@@ -127,10 +127,10 @@ TEST_F(PlayedEditor, SmoothsByCommand) {
 
 TEST_F(PlayedEditor, FramesTheSelection) {
     VoxelGrid voxels = solidBox({40, 40, 4}, 5);
-    voxels.set({20, 20, 4}, 7);
+    voxels.set({20, 20, 4}, 2);
     ASSERT_TRUE(saveDocument(file("a.voxprite"), documentOf(voxels), GameProfile{}));
     const auto distance = [&](bool frames) {
-        for (int i = 1; i < 7; ++i) runCommand("colour after");
+        runCommand("colour after");
         runCommand("all of the colour in hand");
         if (frames) press({"period"});
         const Json state = play("a.voxprite");
