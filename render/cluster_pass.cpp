@@ -12,7 +12,8 @@ namespace voxprite {
 
 namespace {
 
-constexpr std::uint32_t kGroup = 64;  // local_size_x of cluster_cut.comp
+constexpr std::uint32_t kGroup = 64;              // local_size_x of cluster_cut.comp
+constexpr std::uint32_t kMostInstances = 65'535;  // of one dispatch, as every driver allows
 constexpr std::size_t kCommandBytes = 20;
 
 // Attributes and the buffers that they come from, see cluster_vertex.glsl.
@@ -150,7 +151,8 @@ void ClusterPass::choose(std::span<const Instance> instances, const Camera& came
     const glm::dmat4 clipFromEye = camera.clipFromCameraRelative();
     for (const Instance* instance : ordered) {
         const GpuClusters& clusters = *instance->clusters;
-        if (batches_.empty() || batches_.back().clusters->revision() != clusters.revision()) {
+        if (batches_.empty() || batches_.back().clusters->revision() != clusters.revision() ||
+            batches_.back().instances == kMostInstances) {
             batches_.push_back({&clusters, static_cast<std::uint32_t>(cuts.size()), 0,
                                 static_cast<std::uint32_t>(commands)});
         }
