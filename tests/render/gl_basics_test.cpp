@@ -68,6 +68,8 @@ TEST_F(GlBasics, EveryShaderCompilesInEveryVariant) {
         for (const std::vector<std::string>& defines : {std::vector<std::string>{},
                                                         {"LATTICE_WIDE"},
                                                         {"PER_PIXEL_DEPTH"},
+                                                        {"FACE_SHADE"},
+                                                        {"LATTICE_WIDE", "FACE_SHADE"},
                                                         {"PROXY_BOX", "SPRITE_IDS"},
                                                         {"DEPTH_LIMIT"},
                                                         {"LATTICE_WIDE", "PER_PIXEL_DEPTH"}}) {
