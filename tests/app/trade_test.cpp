@@ -150,6 +150,28 @@ TEST_F(Trade, DenserSetsOfSnapshotsAreLessUnlike) {
     }
 }
 
+TEST_F(Trade, RepresentationsAreWorthWhatTheyShowAndCost) {
+    const std::string model = std::string(VOXPRITE_SOURCE_DIR) + "/samples/letters.vox";
+    const nlohmann::json report = run({"trade", "--representations", "--json", model}).json();
+    std::map<std::string, nlohmann::json> rows;
+    for (const nlohmann::json& row : report.at("representations")) {
+        EXPECT_EQ(row.at("model"), "letters");
+        ASSERT_EQ(row.at("sizes").size(), 6u);
+        for (const nlohmann::json& at : row.at("sizes")) {
+            EXPECT_EQ(at.at("error") == 0.0, row.at("drawn_by") == "exact sprite");
+            EXPECT_LE(at.at("error").get<double>(), 1.0);
+            EXPECT_GE(at.at("us").get<double>(), 0.0);
+        }
+        rows[row.at("drawn_by")] = row;
+    }
+    const auto near = [&](const char* kind) {
+        return rows.at(kind).at("sizes")[5].at("error").get<double>();
+    };
+    EXPECT_LT(near("snapshot, 256 views"), near("snapshot, 64 views"));
+    EXPECT_LT(near("snapshot, 64 views"), near("snapshot, 26 views"));
+    EXPECT_LT(near("clusters"), near("coarser by 1"));
+}
+
 TEST_F(Trade, TurnsModelsOnlyOverTime) {
     EXPECT_EQ(run({"trade", "--temporal", "no_such.vox"}).status, 1);
     EXPECT_EQ(run({"trade", "--conformance", "no_such.vox"}).status, 2);
