@@ -196,6 +196,30 @@ TEST_F(EditorRepresentations, AForcedOneIsDrawnOnceItIsThere) {
     }
 }
 
+TEST_F(EditorRepresentations, ModelsOfOtherFilesHaveTheirOwnLevels) {
+    ASSERT_TRUE(saveDocument(folder_ / "ball.vox", test::documentOf(test::shellSphere(21)), {}));
+    settings_.extras = {{folder_ / "ball.vox", true}};
+    settings_.representations.rule = DrawRule::coarse;
+    static_cast<void>(made());
+    finish(false);
+    Scene scene = made();
+    std::set<const GpuModelLevels*> levels;
+    for (const SceneEntity& entity : scene.entities) {
+        levels.insert(library_->levelsOf(entity.octree));
+    }
+    EXPECT_EQ(levels.size(), 2u);
+    EXPECT_FALSE(levels.contains(nullptr));
+    static_cast<void>(choose(scene, from(40.0)));
+    std::set<const GpuOctree*> drawn;
+    for (const SceneEntity& entity : scene.entities) {
+        EXPECT_EQ(entity.representation, Representation::coarse);
+        drawn.insert(entity.octree);
+    }
+    std::set<const GpuOctree*> coarser;
+    for (const GpuModelLevels* each : levels) coarser.insert(&each->coarse.front());
+    EXPECT_EQ(drawn, coarser);
+}
+
 TEST_F(EditorRepresentations, TheTintTellsWhatWasChosen) {
     finish(false);
     settings_.representations.tint = true;
