@@ -190,6 +190,8 @@ Status runEditor(const EditorOptions& options) {
     // A run that is not driven by a hand neither uses nor changes what the user chose.
     const bool automatic = options.screenshot || options.playScript;
     EditorSettings settings = automatic ? EditorSettings{} : loadSettings(settingsPath());
+    // What a script shows must not depend on how fast the machine is.
+    if (automatic) settings.view.drawBy = DrawBy::rays;
     if (automatic) settings.window.tourSeen = true;
 
     WindowPlace place = settings.window.place;

@@ -23,29 +23,34 @@ using enum DrawingWay;
 
 TEST(DrawingTimes, BothWaysAreTriedThenTheFasterIsKept) {
     DrawingTimes times;
-    EXPECT_EQ(times.faster(100.0), rays);
+    EXPECT_EQ(times.faster(100.0, 1000), rays);
     times.took(rays, 100.0, 900.0);  // the first pays for what drivers put off
     for (const double ms : {10.0, 12.0}) {
-        EXPECT_EQ(times.faster(100.0), rays);
+        EXPECT_EQ(times.faster(100.0, 1000), rays);
         times.took(rays, 100.0, ms);
     }
-    EXPECT_EQ(times.faster(100.0), clusters);
+    EXPECT_EQ(times.faster(100.0, 1000), clusters);
     times.took(clusters, 100.0, 900.0);
     for (const double ms : {5.0, 40.0}) {
-        EXPECT_EQ(times.faster(100.0), clusters);
+        EXPECT_EQ(times.faster(100.0, 1000), clusters);
         times.took(clusters, 100.0, ms);
     }
-    EXPECT_EQ(times.faster(100.0), clusters);
+    EXPECT_EQ(times.faster(100.0, 1000), clusters);
     // Other sizes are another matter.
-    EXPECT_EQ(times.faster(400.0), rays);
+    EXPECT_EQ(times.faster(400.0, 1000), rays);
     times.took(rays, 400.0, 3.0);
     times.took(rays, 400.0, 3.0);
     times.took(clusters, 400.0, 4.0);
     times.took(clusters, 400.0, 4.0);
-    EXPECT_EQ(times.faster(400.0), rays);
-    EXPECT_EQ(times.faster(100.0), clusters);
+    EXPECT_EQ(times.faster(400.0, 1000), rays);
+    EXPECT_EQ(times.faster(100.0, 1000), clusters);
+    // So many triangles are not even tried: on a slow machine the window would stall.
+    times.took(rays, 900.0, 20.0);
+    times.took(rays, 900.0, 20.0);
+    EXPECT_EQ(times.faster(900.0, 60'000), clusters);
+    EXPECT_EQ(times.faster(900.0, 80'000), rays);
     times.forget();
-    EXPECT_EQ(times.faster(100.0), rays);
+    EXPECT_EQ(times.faster(100.0, 1000), rays);
 }
 
 TEST(DrawingTimes, NoSizeIsTooStrange) {
@@ -53,7 +58,7 @@ TEST(DrawingTimes, NoSizeIsTooStrange) {
     for (const double px : {0.0, -1.0, 1e300, std::numeric_limits<double>::infinity(),
                             std::numeric_limits<double>::quiet_NaN()}) {
         times.took(clusters, px, 1.0);
-        EXPECT_EQ(times.faster(px), rays);
+        EXPECT_EQ(times.faster(px, 10), rays);
     }
 }
 

@@ -22,7 +22,7 @@ constexpr std::array kOcclusions{
     Choice{"Off", "No shade between voxels"}, Choice{"Corners", "Shade where voxels meet"},
     Choice{"Rays", "Shade by short rays: it sees farther, and costs more"}};
 constexpr std::array kDrawBys{
-    Choice{"Automatic", "Large models: what is faster on this machine. Small ones: rays"},
+    Choice{"Automatic", "What takes less time on this machine, by the frames before"},
     Choice{"Rays", "The edit view casts a ray for each pixel"},
     Choice{"Clusters", "The edit view draws a mesh, as fine as its size on the screen asks for"}};
 constexpr std::array kClusterBudgets{0.0, 1.0, 2.0, 4.0};

@@ -4,6 +4,12 @@
 #include <cmath>
 
 namespace voxprite::editor {
+namespace {
+
+// Of a software rasteriser on one core: `voxprite bench --only clusters`.
+constexpr double kSlowestMsPerTriangle = 6e-4;
+
+}  // namespace
 
 std::size_t DrawingTimes::sizeOf(double radiusPx) {
     // What is no number is no size: the smallest.
@@ -11,12 +17,15 @@ std::size_t DrawingTimes::sizeOf(double radiusPx) {
     return static_cast<std::size_t>(std::min(std::log2(radiusPx), kSizes - 1.0));
 }
 
-DrawingWay DrawingTimes::faster(double radiusPx) const {
+DrawingWay DrawingTimes::faster(double radiusPx, std::size_t triangles) const {
     const std::size_t size = sizeOf(radiusPx);
     const Known& rays = known_[0][size];
     const Known& clusters = known_[1][size];
     if (rays.frames < kFrames) return DrawingWay::rays;
-    if (clusters.frames < kFrames) return DrawingWay::clusters;
+    if (clusters.frames < kFrames) {
+        const double feared = kSlowestMsPerTriangle * static_cast<double>(triangles);
+        return feared <= 2.0 * rays.fastestMs ? DrawingWay::clusters : DrawingWay::rays;
+    }
     return clusters.fastestMs < 0.9 * rays.fastestMs ? DrawingWay::clusters : DrawingWay::rays;
 }
 

@@ -12,8 +12,9 @@ enum class DrawingWay : std::size_t { rays, clusters };
 class DrawingTimes {
   public:
     // For a model whose sphere has this radius on the screen. A way of which too few frames are
-    // known at this size comes first; clusters are then kept, or left, by a clear margin.
-    [[nodiscard]] DrawingWay faster(double radiusPx) const;
+    // known at this size comes first; but clusters are not tried where so many triangles could make
+    // the window stall. They are then kept, or left, by a clear margin.
+    [[nodiscard]] DrawingWay faster(double radiusPx, std::size_t triangles) const;
     // A frame took so long. The first of each way pays for what drivers put off, and counts as
     // none.
     void took(DrawingWay way, double radiusPx, double milliseconds);

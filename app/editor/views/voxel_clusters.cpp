@@ -7,14 +7,15 @@
 namespace voxprite::editor {
 namespace {
 
-// Of smaller models rays are never dear.
-constexpr int kLeastEdge = 96;
+// Larger meshes take long to make, and have more triangles than the view has pixels: rays are
+// cheaper.
+constexpr int kMostEdge = 256;
 // While the artist draws, each frame has another model.
 constexpr int kStillFrames = 12;
 
-bool isLarge(const IBox& bounds) {
+bool isWorthTrying(const IBox& bounds) {
     const glm::ivec3 size = bounds.size();
-    return !bounds.empty() && std::max({size.x, size.y, size.z}) >= kLeastEdge;
+    return !bounds.empty() && std::max({size.x, size.y, size.z}) <= kMostEdge;
 }
 
 // The octree's arrays, for another thread.
@@ -36,8 +37,8 @@ struct Snapshot {
 
 void VoxelClusters::follow(const Session& session, DrawBy drawBy) {
     job_.finish();
-    const bool wanted =
-        drawBy == DrawBy::clusters || (drawBy == DrawBy::automatic && isLarge(session.bounds()));
+    const bool wanted = drawBy == DrawBy::clusters ||
+                        (drawBy == DrawBy::automatic && isWorthTrying(session.bounds()));
     const Model model{session.modelRevision(), session.frame()};
     stillFrames_ = seen_ == model && !session.previews() ? stillFrames_ + 1 : 0;
     seen_ = model;
@@ -74,7 +75,9 @@ const GpuClusters* VoxelClusters::toDraw(const Session& session, const GpuOctree
     if (clusters_.treeFromVoxel() != octree.treeFromVoxel() || maxDepth_ != octree.maxDepth()) {
         return nullptr;
     }
-    if (drawBy == DrawBy::automatic && times_.faster(radiusPx) == DrawingWay::rays) return nullptr;
+    if (drawBy == DrawBy::automatic &&
+        times_.faster(radiusPx, clusters_.indexCount() / 3) == DrawingWay::rays)
+        return nullptr;
     return &clusters_;
 }
 
