@@ -83,7 +83,7 @@ TEST_F(Cli, WrongUsageIsStatus2) {
              {"--yaw", "north"},      {"--yaw", "nan"},          {"--sigma", "0"},
              {"--sigma", "inf"},      {"--sigma", "65"},         {"--voxel-size", "-1"},
              {"--anchor", "1,2"},     {"--anchor", "1,2,3,4"},   {"--rotate", "a,b,c"},
-             {"--mode", "billboard"}, {"--backend", "vulkan"},   {"--view", "sideways"},
+             {"--mode", "hologram"}, {"--backend", "vulkan"},   {"--view", "sideways"},
              {"--depth", "middle"},   {"--background", "red"},   {"--distance", "0"},
              {"--fov", "180"},        {"--scale", "0"},          {"--view-step", "90"},
              {"--clearance", "-1"},   {"--position", "1,nan,0"}, {"--model", ""},
