@@ -18,8 +18,8 @@
 //
 // coarsen(x, 0) == x. Which cells are solid, size and origin are the same in one go and in steps;
 // materials need not be (the commonest of the commonest is another question), so coarsen from the
-// fine model. O(nodes), and only the surface is looked at voxel by voxel: 55 ms for a hollow ball of
-// 512 cubed, 100 where its origin is no multiple of the cells.
+// fine model. O(nodes), and only the surface is looked at voxel by voxel: 55 ms for a hollow ball
+// of 512 cubed, 100 where its origin is no multiple of the cells.
 #pragma once
 
 #include "core/svo/octree.h"

@@ -79,15 +79,15 @@ TEST_F(Cli, WrongUsageIsStatus2) {
     expectWrongUsage({"bench", "--only", "cast,soup"}, "soup");
     expectWrongUsage({"render", figureFile}, "--json");
     for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{
-             {"--size", "512"},       {"--size", "0x5"},         {"--size", "99999x99999"},
-             {"--yaw", "north"},      {"--yaw", "nan"},          {"--sigma", "0"},
-             {"--sigma", "inf"},      {"--sigma", "65"},         {"--voxel-size", "-1"},
-             {"--anchor", "1,2"},     {"--anchor", "1,2,3,4"},   {"--rotate", "a,b,c"},
+             {"--size", "512"},      {"--size", "0x5"},         {"--size", "99999x99999"},
+             {"--yaw", "north"},     {"--yaw", "nan"},          {"--sigma", "0"},
+             {"--sigma", "inf"},     {"--sigma", "65"},         {"--voxel-size", "-1"},
+             {"--anchor", "1,2"},    {"--anchor", "1,2,3,4"},   {"--rotate", "a,b,c"},
              {"--mode", "hologram"}, {"--backend", "vulkan"},   {"--view", "sideways"},
-             {"--depth", "middle"},   {"--background", "red"},   {"--distance", "0"},
-             {"--fov", "180"},        {"--scale", "0"},          {"--view-step", "90"},
-             {"--clearance", "-1"},   {"--position", "1,nan,0"}, {"--model", ""},
-             {"--frame", ""},         {"--frame", "0.5"}}) {
+             {"--depth", "middle"},  {"--background", "red"},   {"--distance", "0"},
+             {"--fov", "180"},       {"--scale", "0"},          {"--view-step", "90"},
+             {"--clearance", "-1"},  {"--position", "1,nan,0"}, {"--model", ""},
+             {"--frame", ""},        {"--frame", "0.5"}}) {
         const ProgramResult result = run({"render", figureFile, "--json", option, value});
         EXPECT_EQ(result.status, 2) << option << " " << value << ": " << result.err;
         EXPECT_EQ(result.errorLines(), 1) << result.err;

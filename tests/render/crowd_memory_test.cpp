@@ -121,7 +121,10 @@ TEST_F(CrowdMemory, WhatChangesIsDrawnAnew) {
         {"the light", [&] { profile.light.ambient = 0.2; }},
         {"occlusion", [&] { profile.light.occlusion = 0.8; }},
         {"shadow", [&] { profile.light.shadow = 0.9; }},
-        {"where the light is", [&] { profile.light.towardLight = {-0.7, 0.5, 0.4}; }},
+        {"where the light is",
+         [&] {
+             profile.light.towardLight = {-0.7, 0.5, 0.4};
+         }},
         {"the depth rule", [&] { profile.depth = DepthRule::perPixel; }},
         {"the proxy", [&] { profile.proxy = ProxyShape::box; }},
         {"the camera", [&] { view = camera(14.0, 21.0, 9.0); }},
