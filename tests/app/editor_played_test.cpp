@@ -87,7 +87,7 @@ class PlayedEditor : public EditorWindow {
 };
 
 TEST_F(PlayedEditor, LongEditsAreUndoneAndDoneAgain) {
-    constexpr glm::ivec3 kSize(64, 64, 60);
+    constexpr glm::ivec3 kSize(70, 70, 64);
     ASSERT_NO_FATAL_FAILURE(saveBox("a.voxprite", kSize, 5));
     press({"k"});  // the bucket, with the first colour
     clickAt(kInEdit);

@@ -9,7 +9,7 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr int kEdge = 64;  // 262,144 voxels, more than kLongStepVoxels
+constexpr int kEdge = 68;  // 314,432 voxels, more than kLongStepVoxels
 constexpr IBox kCube{{0, 0, 0}, {kEdge, kEdge, kEdge}};
 
 class LargeEdits : public test::ToolHand {
@@ -47,7 +47,7 @@ TEST_F(LargeEdits, AFillIsShownWhenItIsReadyAndMadeByTheClick) {
     const VoxelGrid before = made();
     settings.tool = ToolKind::fill;
     settings.colour = 9;
-    moveTo(faceOf({20, 30, 63}));
+    moveTo(faceOf({20, 30, kEdge - 1}));
     EXPECT_FALSE(session.previews()) << "not while the hand is on its way";
     EXPECT_TRUE(tools.previewsLater());
     tools.finishPreview(session);
@@ -56,11 +56,11 @@ TEST_F(LargeEdits, AFillIsShownWhenItIsReadyAndMadeByTheClick) {
     EXPECT_EQ(session.octree().at({1, 2, 3}), 5);
     EXPECT_TRUE(session.takeOctreeChanges().everything);
     // Elsewhere on the same region: it stays.
-    moveTo(faceOf({40, 10, 63}));
+    moveTo(faceOf({40, 10, kEdge - 1}));
     EXPECT_TRUE(session.previews());
     EXPECT_FALSE(tools.previewsLater());
 
-    click(faceOf({40, 10, 63}));
+    click(faceOf({40, 10, kEdge - 1}));
     EXPECT_EQ(made(), test::solidBox({kEdge, kEdge, kEdge}, 9));
     EXPECT_EQ(session.history().steps().back().label, "Fill");
     EXPECT_FALSE(session.previews());
@@ -81,7 +81,7 @@ TEST_F(LargeEdits, AFillIsShownWhenItIsReadyAndMadeByTheClick) {
 TEST_F(LargeEdits, APreviewOfWhatChangedMeanwhileIsNotShown) {
     settings.tool = ToolKind::fill;
     settings.colour = 9;
-    moveTo(faceOf({20, 30, 63}));
+    moveTo(faceOf({20, 30, kEdge - 1}));
     attachBox({{-3, 0, 0}, {-1, 1, 1}}, 2);
     tools.finishPreview(session);
     EXPECT_FALSE(session.previews());
@@ -91,19 +91,19 @@ TEST_F(LargeEdits, APreviewOfWhatChangedMeanwhileIsNotShown) {
 TEST_F(LargeEdits, AShapeIsOutlinedThenShownThenMade) {
     settings.tool = ToolKind::box;
     settings.mode = EditMode::erase;
-    moveTo(faceOf({10, 10, 63}));
+    moveTo(faceOf({10, 10, kEdge - 1}));
     press();
-    moveTo(faceOf({50, 50, 63}));
+    moveTo(faceOf({50, 50, kEdge - 1}));
     release();
     ASSERT_TRUE(tools.busy());
-    for (std::size_t axis = 0; axis < 3; ++axis) tools.tool()->setFigure(axis, 64);
+    for (std::size_t axis = 0; axis < 3; ++axis) tools.tool()->setFigure(axis, 70);
     frame({}, false, false);
     EXPECT_TRUE(tools.previewsLater());
     EXPECT_FALSE(session.previews());
     tools.finishPreview(session);
     EXPECT_TRUE(session.previews());
     VoxelGrid expected = test::solidBox({kEdge, kEdge, kEdge}, 5);
-    expected.fill({{10, 10, 0}, {64, 64, 64}}, 0);
+    expected.fill({{10, 10, 0}, {kEdge, kEdge, kEdge}}, 0);
     EXPECT_EQ(shown(), expected);
     keep();
     EXPECT_EQ(made(), expected);
@@ -137,7 +137,7 @@ TEST_F(LargeEdits, WhatFloatsStaysInTheAirUntilItIsDown) {
     ASSERT_TRUE(landing && *landing);
     ASSERT_TRUE(session.perform(std::move(**landing)));
     EXPECT_FALSE(session.selection().floating());
-    EXPECT_EQ(session.bounds(), (IBox{{7, -2, 1}, {71, 62, 65}}));
+    EXPECT_EQ(session.bounds(), (IBox{{7, -2, 1}, {7 + kEdge, kEdge - 2, 1 + kEdge}}));
     EXPECT_EQ(session.selection().voxels(), VoxelSet(session.bounds()));
     expectInOrder();
     ASSERT_TRUE(session.undo());
@@ -170,7 +170,7 @@ TEST_F(LargeEdits, HollowingIsShownAndMade) {
     frame({}, false, false);
     tools.finishPreview(session);
     VoxelGrid expected = test::solidBox({kEdge, kEdge, kEdge}, 5);
-    expected.fill({{1, 1, 1}, {63, 63, 63}}, 0);
+    expected.fill({{1, 1, 1}, {kEdge - 1, kEdge - 1, kEdge - 1}}, 0);
     EXPECT_EQ(session.shownOctree().solidCount(), expected.solidCount());
     keep();
     EXPECT_EQ(made(), expected);

@@ -15,8 +15,9 @@
 
 namespace voxprite::editor {
 
-// A step of more voxels is worked out behind the window.
-inline constexpr std::uint64_t kLongStepVoxels = 200'000;
+// A step of more voxels is worked out behind the window. (A box of 64 cubed is not one: it is shown
+// and made within a frame's time.)
+inline constexpr std::uint64_t kLongStepVoxels = 300'000;
 
 // Voxels in the air and where they come from. Putting them down takes `from` away and lays over it
 // what made() gives: one patch, so that nothing is lost before.
