@@ -81,6 +81,12 @@ struct RootSpace {
     }
 };
 
+// Else the shaders are those without such rays.
+bool facesCastRays(const VoxelViewOptions& options) {
+    return options.occlusion == VoxelOcclusion::rays ||
+           (options.spriteLight && (hasOcclusion(options.light) || hasShadows(options.light)));
+}
+
 int leafLevel(const GpuOctree& octree, const VoxelViewOptions& options) {
     return std::clamp(octree.maxDepth() - options.maxDepth, 0, octree.maxDepth());
 }
@@ -95,9 +101,11 @@ float halfLambert(glm::dvec3 normal, glm::dvec3 towardLight, double ambient) {
 
 struct VoxelView::Impl {
     gl::Program voxels;
-    gl::Program limitedVoxels;  // to a depth above the voxels
+    gl::Program shadedVoxels;   // faces cast rays of their own
+    gl::Program limitedVoxels;  // the same, to a depth above the voxels
     gl::Program backdrop;
     gl::Program clusterVoxels;
+    gl::Program shadedClusterVoxels;
     gl::Program clusterDepth;
     ClusterPass clusters;
     gl::VertexArray nothing = gl::createVertexArray();
@@ -245,7 +253,9 @@ void VoxelView::Impl::drawVoxels(const GpuOctree& octree, const Palette& colours
     setPalette(colours, space, options);
     bindTexture(TextureUnit::palette, palette.texture());
     gl::apply(state);
-    gl::useProgram(leafLevel(octree, options) > 0 ? limitedVoxels : voxels);
+    gl::useProgram(leafLevel(octree, options) > 0 ? limitedVoxels
+                   : facesCastRays(options)       ? shadedVoxels
+                                                  : voxels);
     glDrawArrays(GL_TRIANGLES, 0, 36);
 }
 
@@ -267,7 +277,7 @@ void VoxelView::Impl::drawClusters(const GpuOctree& octree, const Palette& colou
     gl::useProgram(clusterDepth);
     clusters.draw();
     gl::apply({.depthTest = gl::DepthTest::nearerOrEqual, .cull = gl::Cull::backFaces});
-    gl::useProgram(clusterVoxels);
+    gl::useProgram(facesCastRays(options) ? shadedClusterVoxels : clusterVoxels);
     clusters.draw();
 }
 
@@ -341,11 +351,19 @@ Result<VoxelView> VoxelView::create() {
     Result<ClusterPass> clusters = ClusterPass::create();
     if (!clusters) return tl::unexpected(clusters.error());
     Result<gl::Program> limited =
-        gl::compileProgram("voxel_view.vert", "voxel_view.frag", {"DEPTH_LIMIT"});
+        gl::compileProgram("voxel_view.vert", "voxel_view.frag", {"DEPTH_LIMIT", "FACE_SHADE"});
     if (!limited) return tl::unexpected(limited.error());
+    Result<gl::Program> shaded =
+        gl::compileProgram("voxel_view.vert", "voxel_view.frag", {"FACE_SHADE"});
+    if (!shaded) return tl::unexpected(shaded.error());
+    Result<gl::Program> shadedClusters =
+        gl::compileProgram("cluster_view.vert", "cluster_view.frag", {"FACE_SHADE"});
+    if (!shadedClusters) return tl::unexpected(shadedClusters.error());
     impl->voxels = std::move(*voxels);
+    impl->shadedVoxels = std::move(*shaded);
     impl->limitedVoxels = std::move(*limited);
     impl->clusterVoxels = std::move(*clusterVoxels);
+    impl->shadedClusterVoxels = std::move(*shadedClusters);
     impl->clusterDepth = std::move(*clusterDepth);
     impl->clusters = std::move(*clusters);
     impl->backdrop = std::move(*backdrop);

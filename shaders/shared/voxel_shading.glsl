@@ -64,6 +64,9 @@ float cornerShade(Hit hit, bool faces_up, vec2 position, inout Cursor cursor) {
     return mix(rows.x, rows.y, at.y);
 }
 
+// FACE_SHADE: faces cast rays of their own. Compiled in only where it is asked for: a rasteriser
+// that runs lanes together pays for what they skip, too.
+#ifdef FACE_SHADE
 // The share of the face's short rays that are blocked.
 float blockedShare(ivec3 cell, int axis, ivec3 outward, inout Cursor cursor) {
     int side = outward.x + outward.y + outward.z;
@@ -105,6 +108,7 @@ int spriteState(Hit hit, bool faces_up, inout Cursor cursor) {
     }
     return state;
 }
+#endif
 
 // The point of the face that the pixel shows, and how far the pixel reaches on it.
 struct FacePoint {
@@ -127,8 +131,10 @@ FacePoint facePoint(Hit hit, vec2 screen, vec3 origin, vec3 direction) {
 }
 
 vec3 voxelColour(Hit hit, FacePoint point, inout Cursor cursor) {
-    int row = (point.faces_up ? hit.axis : hit.axis + 3) +
-              6 * spriteState(hit, point.faces_up, cursor);
+    int row = point.faces_up ? hit.axis : hit.axis + 3;
+#ifdef FACE_SHADE
+    row += 6 * spriteState(hit, point.faces_up, cursor);
+#endif
     vec3 base = texelFetch(palette_texture, ivec2(int(hit.material), row), 0).rgb;
     float light = point.faces_up ? face_light[hit.axis].x : face_light[hit.axis].y;
     float large = max(point.footprint.x, point.footprint.y);
@@ -140,10 +146,14 @@ vec3 voxelColour(Hit hit, FacePoint point, inout Cursor cursor) {
         light *= 1.0 - sun.w;
     }
     if (occlusion_shown != 0 && large < 1.0) {
+#ifdef FACE_SHADE
         float lost =
             occlusion_shown == 1
                 ? 0.4 * cornerShade(hit, point.faces_up, point.position, cursor)
                 : 0.7 * rayOcclusion(hit, point.faces_up, point.position, cursor);
+#else
+        float lost = 0.4 * cornerShade(hit, point.faces_up, point.position, cursor);
+#endif
         light *= 1.0 - lost * (1.0 - smoothstep(0.5, 1.0, large));
     }
     if (edges_shown != 0) {

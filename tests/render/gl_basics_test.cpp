@@ -71,7 +71,7 @@ TEST_F(GlBasics, EveryShaderCompilesInEveryVariant) {
                                                         {"FACE_SHADE"},
                                                         {"LATTICE_WIDE", "FACE_SHADE"},
                                                         {"PROXY_BOX", "SPRITE_IDS"},
-                                                        {"DEPTH_LIMIT"},
+                                                        {"DEPTH_LIMIT", "FACE_SHADE"},
                                                         {"LATTICE_WIDE", "PER_PIXEL_DEPTH"}}) {
             const auto program = gl::compileProgram(vertex, fragment, defines);
             EXPECT_TRUE(program) << program.error().message;
