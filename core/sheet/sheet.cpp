@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "core/base/bytes.h"
 #include "core/base/hash.h"
 #include "core/base/parallel.h"
 #include "core/model/entity_voxels.h"
@@ -178,7 +179,7 @@ Result<Cut> Maker::cut(const OctreeView& octree, double yaw, double pitch, int f
 }
 
 // Puts all sprites on one cell: the smallest that holds them.
-glm::ivec2 placeInCell(std::vector<Cut>& cuts, Sheet& sheet) {
+void placeInCell(std::vector<Cut>& cuts, Sheet& sheet) {
     glm::ivec2 low(0);
     glm::ivec2 high(1);  // the anchor's own pixel belongs to it
     for (const Cut& cut : cuts) {
@@ -198,7 +199,6 @@ glm::ivec2 placeInCell(std::vector<Cut>& cuts, Sheet& sheet) {
     }
     sheet.cellPx = high - low;
     sheet.anchorPixel = -low;
-    return sheet.cellPx;
 }
 
 void widenToCell(Cut& cut, glm::ivec2 cellPx) {
@@ -215,8 +215,7 @@ std::string contentOf(const Cut& cut) {
     std::string content =
         std::to_string(cut.sprite.size.x) + "," + std::to_string(cut.sprite.size.y);
     for (const Image& picture : cut.pictures) {
-        content += " " + sha256Hex({reinterpret_cast<const std::uint8_t*>(picture.pixels.data()),
-                                    picture.pixels.size() * sizeof(Rgba8)});
+        content += " " + sha256Hex(asBytes(picture.pixels));
     }
     return content;
 }
@@ -309,9 +308,9 @@ Result<Sheet> makeSheet(const Document& document, const GameProfile& profile,
     Sheet sheet;
     sheet.metresPerPx = maker.profile.voxelSizeMetres / maker.profile.sigma;
     sheet.depthRangeMetres = maker.rangeMetres();
-    const glm::ivec2 cell = placeInCell(cuts, sheet);
+    placeInCell(cuts, sheet);
     if (!options.trim) {
-        for (Cut& cut : cuts) widenToCell(cut, cell);
+        for (Cut& cut : cuts) widenToCell(cut, sheet.cellPx);
     }
     std::vector<std::string> pictures;
     for (const NamedPalette& palette : maker.palettes) pictures.push_back(palette.picture);

@@ -69,7 +69,7 @@ Json tagsOf(const Sheet& sheet, const Document& document, const SheetOptions& op
         return a.direction == b.direction && a.pitchDegrees == b.pitchDegrees;
     };
     std::vector<Clip> clips = document.clips;
-    if (clips.empty()) clips.push_back(Clip{"frames", 0, kMaxFrames - 1, 8.0, true, {}});
+    if (clips.empty()) clips.push_back({.name = "frames", .last = kMaxFrames - 1});
     for (std::size_t from = 0; from < sheet.sprites.size();) {
         std::size_t to = from + 1;
         while (to < sheet.sprites.size() && sameView(sheet.sprites[from], sheet.sprites[to])) ++to;
@@ -118,7 +118,7 @@ int frameMilliseconds(const Document& document, int frame) {
         if (frame < clip.first || frame > clip.last) continue;
         return static_cast<int>(std::lround(frameSeconds(clip, frame) * 1000.0));
     }
-    return 125;
+    return static_cast<int>(std::lround(1000.0 / Clip().framesPerSecond));
 }
 
 std::string sheetJson(const Sheet& sheet, const Document& document, const GameProfile& profile,

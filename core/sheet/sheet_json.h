@@ -18,7 +18,8 @@ namespace voxprite {
 // "knight.png" and "normals" make "knight.normals.png".
 [[nodiscard]] std::string pictureName(const std::string& imageName, const std::string& picture);
 
-// How long a frame of the document shows: as the first clip says that has it, else at 8 a second.
+// How long a frame of the document shows: as the first clip says that has it, else at the rate of a
+// new clip.
 [[nodiscard]] int frameMilliseconds(const Document& document, int frame);
 
 }  // namespace voxprite

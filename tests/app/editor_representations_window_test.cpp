@@ -1,8 +1,6 @@
 // By what the scene is drawn, and all of it side by side, by mouse and keyboard.
-#include "core/io/formats.h"
 #include "core/io/png.h"
 #include "tests/app/editor_window.h"
-#include "tests/support/voxels.h"
 
 namespace voxprite::test {
 namespace {
@@ -11,12 +9,6 @@ using Json = nlohmann::json;
 
 class RepresentationsWindow : public EditorWindow {
   protected:
-    void openFigure() {
-        ASSERT_NO_FATAL_FAILURE(startDisplay({1280, 800}));
-        ASSERT_TRUE(saveDocument(file("figure.vox"), documentOf(figure()), GameProfile{}));
-        ASSERT_NO_FATAL_FAILURE(startEditor({file("figure.vox").string()}));
-        await("the figure", [](const Json& now) { return now.at("state").at("voxels") > 0; });
-    }
     // By the palette of commands.
     void ask(const std::string& command) {
         key("ctrl+p");

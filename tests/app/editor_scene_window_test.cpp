@@ -13,12 +13,6 @@ using Json = nlohmann::json;
 
 class EditorScene : public EditorWindow {
   protected:
-    void openFigure() {
-        ASSERT_NO_FATAL_FAILURE(startDisplay({1280, 800}));
-        ASSERT_TRUE(saveDocument(file("figure.vox"), documentOf(figure()), GameProfile{}));
-        ASSERT_NO_FATAL_FAILURE(startEditor({file("figure.vox").string()}));
-        await("the figure", [](const Json& now) { return now.at("state").at("voxels") > 0; });
-    }
     void awaitToast(const std::string& start) {
         await(start, [&](const Json& now) {
             return now.at("state").at("toast").get<std::string>().starts_with(start);

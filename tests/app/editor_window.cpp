@@ -12,6 +12,9 @@
 #include <thread>
 #include <utility>
 
+#include "core/io/formats.h"
+#include "tests/support/voxels.h"
+
 namespace voxprite::test {
 namespace {
 
@@ -112,6 +115,13 @@ void EditorWindow::setResolution(int dotsPerInch) {
 std::vector<std::string> EditorWindow::environment() const {
     return {"DISPLAY=" + display_, "XDG_CONFIG_HOME=" + file("config").string(),
             "XDG_STATE_HOME=" + file("state").string(), "LIBGL_ALWAYS_SOFTWARE=1"};
+}
+
+void EditorWindow::openFigure() {
+    ASSERT_NO_FATAL_FAILURE(startDisplay({1280, 800}));
+    ASSERT_TRUE(saveDocument(file("figure.vox"), documentOf(figure()), GameProfile{}));
+    ASSERT_NO_FATAL_FAILURE(startEditor({file("figure.vox").string()}));
+    await("the figure", [](const nlohmann::json& now) { return now.at("state").at("voxels") > 0; });
 }
 
 void EditorWindow::startEditor(std::vector<std::string> arguments) {

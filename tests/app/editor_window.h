@@ -41,6 +41,8 @@ class EditorWindow : public testing::Test {
     void startDisplay(glm::ivec2 screenPx);
     void setResolution(int dotsPerInch);  // Xft.dpi: 96 is content scale 1
     void startEditor(std::vector<std::string> arguments);
+    // The editor on a file "figure.vox" that holds test::figure(), at 1280x800.
+    void openFigure();
     // As at the very first start; before startEditor().
     void showTour() { showsTour_ = true; }
     // Runs the editor to its end; its exit status.
