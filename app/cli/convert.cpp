@@ -46,8 +46,9 @@ Result<Report> convert(const Options& options) {
 }  // namespace
 
 void addConvert(CLI::App& app, Command& command) {
-    CLI::App& sub = *app.add_subcommand(
-        "convert", "Convert between .voxprite, .vox, .svo and .csm by file ending");
+    CLI::App& sub = *app.add_subcommand("convert", "Convert between formats by file ending: from " +
+                                                       listed(modelEndings()) + " to " +
+                                                       listed(writtenEndings()));
     auto options = std::make_shared<Options>();
     sub.add_option("IN", options->input, "The file to read")->required();
     sub.add_option("-o,--output", options->output, "The file to write")

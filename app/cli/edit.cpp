@@ -2,6 +2,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
 #include "app/editor/editor.h"
+#include "core/io/formats.h"
 
 namespace voxprite::cli {
 namespace {
@@ -21,7 +22,7 @@ void addEdit(CLI::App& app, Command& command) {
         [options](const std::vector<std::string>& files) {
             options->files.assign(files.begin(), files.end());
         },
-        "Models to open: .voxprite, .vox, .svo or .csm");
+        "Models to open: " + listed(modelEndings()));
     const auto addPath = [&](const char* name, std::optional<std::filesystem::path>& target,
                              const char* form, const char* description) {
         sub.add_option_function<std::string>(

@@ -188,7 +188,7 @@ Result<Report> inspect(const Options& options) {
 void addInspect(CLI::App& app, Command& command) {
     CLI::App& sub = *app.add_subcommand("inspect", "Say what is in a file");
     auto options = std::make_shared<Options>();
-    sub.add_option("FILE", options->file, "A model: .voxprite, .vox, .svo or .csm")->required();
+    sub.add_option("FILE", options->file, "A model: " + listed(modelEndings()))->required();
     addJsonFlag(sub, command);
     runs(sub, command, options, inspect);
 }

@@ -95,7 +95,7 @@ Result<Report> palette(const Options& options) {
 void addPalette(CLI::App& app, Command& command) {
     CLI::App& sub = *app.add_subcommand("palette", "Take colours out of a model, or put them in");
     auto options = std::make_shared<Options>();
-    sub.add_option("IN", options->input, "A model: .voxprite, .vox, .svo or .csm")->required();
+    sub.add_option("IN", options->input, "A model: " + listed(modelEndings()))->required();
     sub.add_option("-o,--output", options->output,
                    "A file of colours (.png, .gpl, .pal), or the model with the colours changed")
         ->type_name("OUT");

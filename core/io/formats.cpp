@@ -1,161 +1,130 @@
 #include "core/io/formats.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <utility>
 
+#include "core/base/check.h"
 #include "core/base/file.h"
-#include "core/io/csm_reader.h"
-#include "core/io/csm_writer.h"
-#include "core/io/project_file.h"
-#include "core/io/svo_file.h"
-#include "core/io/vox.h"
 
 namespace voxprite {
 namespace {
 
-constexpr std::array kFormats{std::pair{Format::voxprite, "voxprite"},
-                              std::pair{Format::vox, "vox"}, std::pair{Format::svo, "svo"},
-                              std::pair{Format::csm, "csm"}};
-
-std::string knownEndings() {
-    std::string known;
-    for (const std::string& ending : modelEndings()) known += (known.empty() ? "" : ", ") + ending;
-    return known;
-}
-
-Result<LoadedDocument> readAs(Format format, ByteView bytes) {
-    LoadedDocument loaded;
-    loaded.format = format;
-    switch (format) {
-        case Format::vox: {
-            Result<VoxImport> import = readVox(bytes);
-            if (!import) return Failure(import.error());
-            loaded.document = std::move(import->document);
-            loaded.warnings = std::move(import->warnings);
-            break;
-        }
-        case Format::voxprite: {
-            Result<Document> document = readProject(bytes);
-            if (!document) return Failure(document.error());
-            loaded.document = std::move(*document);
-            break;
-        }
-        case Format::svo: {
-            const Result<SvoFile> file = readSvo(bytes);
-            if (!file) return Failure(file.error());
-            loaded.document = documentFromSvo(*file);
-            break;
-        }
-        case Format::csm: {
-            Result<Document> document = readCsm(bytes);
-            if (!document) return Failure(document.error());
-            loaded.document = std::move(*document);
-            if (loaded.document.models[0].voxels.empty()) {
-                loaded.warnings.emplace_back("the text assigns no voxel");
-            }
-            break;
-        }
+std::vector<std::string> endingsWhere(bool (FormatInfo::*has)() const) {
+    std::vector<std::string> endings;
+    for (const FormatInfo& info : formats()) {
+        if ((info.*has)()) endings.emplace_back(info.ending);
     }
-    return loaded;
+    return endings;
 }
 
-Result<Bytes> exportOf(const Document& document, const GameProfile& profile) {
-    const Result<SvoFile> baked = bakeForExport(document, profile);
-    if (!baked) return Failure(baked.error());
-    Result<Bytes> bytes = writeSvo(*baked);
-    if (!bytes) return bytes;
-    if (Status same = verifyExport(*bytes, document); !same) return Failure(same.error());
-    return bytes;
+std::string allEndings() {
+    std::string all;
+    for (const FormatInfo& info : formats())
+        all += (all.empty() ? "" : ", ") + std::string(info.ending);
+    return all;
 }
 
-Result<Bytes> writeAs(Format format, const Document& document, const GameProfile& profile) {
-    switch (format) {
-        case Format::vox:
-            return writeVox(document);
-        case Format::voxprite:
-            return writeProject(document, {profile.voxelSizeMetres, profile.sigma});
-        case Format::svo:
-            return exportOf(document, profile);
-        case Format::csm:
-            return writeCsm(document);
+Result<std::vector<NamedBytes>> filesOf(const FormatInfo& info, const SaveRequest& request) {
+    if (info.saveFiles != nullptr) return info.saveFiles(request);
+    if (info.save == nullptr) {
+        return fail(std::string(info.ending) +
+                    " is read but not written (written: " + listed(writtenEndings()) + ")");
     }
-    return fail("unknown format");
+    Result<Bytes> bytes = info.save(request);
+    if (!bytes) return Failure(bytes.error());
+    std::vector<NamedBytes> files(1);
+    files[0] = {request.name.string(), std::move(*bytes)};
+    return files;
 }
 
 }  // namespace
+
+const FormatInfo& infoOf(Format format) {
+    const auto found = std::ranges::find(formats(), format, &FormatInfo::format);
+    VOXPRITE_CHECK(found != formats().end());
+    return *found;
+}
+
+const char* nameOf(Format format) {
+    return infoOf(format).name;
+}
 
 Result<Format> formatOf(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
         return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     });
-    for (const auto& [format, name] : kFormats) {
-        if (ending == std::string(".") + name) return format;
+    for (const FormatInfo& info : formats()) {
+        if (ending == info.ending) return info.format;
     }
     return failInFile(path.string(),
                       ending.empty()
-                          ? "the file's name has no ending (" + knownEndings() + ")"
-                          : "unknown file ending " + ending + " (known: " + knownEndings() + ")");
+                          ? "the file's name has no ending (" + allEndings() + ")"
+                          : "unknown file ending " + ending + " (known: " + allEndings() + ")");
 }
 
-const char* nameOf(Format format) {
-    for (const auto& [value, name] : kFormats) {
-        if (value == format) return name;
+Result<Format> formatNamed(const std::string& name) {
+    for (const FormatInfo& info : formats()) {
+        if (name == info.name) return info.format;
     }
-    return "unknown";
+    return fail("unknown format \"" + name + "\" (known: " + allEndings() + ", without the dot)");
 }
 
 std::vector<std::string> modelEndings() {
-    std::vector<std::string> endings;
-    for (const auto& [format, name] : kFormats) endings.push_back(std::string(".") + name);
-    return endings;
+    return endingsWhere(&FormatInfo::reads);
 }
 
-Result<LoadedDocument> loadDocument(const std::filesystem::path& path) {
+std::vector<std::string> writtenEndings() {
+    return endingsWhere(&FormatInfo::writes);
+}
+
+std::string listed(const std::vector<std::string>& endings) {
+    std::string list;
+    for (std::size_t k = 0; k < endings.size(); ++k) {
+        if (k > 0) list += k + 1 == endings.size() ? " or " : ", ";
+        list += endings[k];
+    }
+    return list;
+}
+
+Result<LoadedDocument> loadDocument(const std::filesystem::path& path, const ReadOptions& options) {
     const Result<Format> format = formatOf(path);
     if (!format) return Failure(format.error());
+    const FormatInfo& info = infoOf(*format);
+    if (!info.reads()) {
+        return failInFile(path.string(),
+                          std::string(info.ending) +
+                              " is written but not read (read: " + listed(modelEndings()) + ")");
+    }
     const Result<Bytes> bytes = readFile(path);
     if (!bytes) return inFile(Result<LoadedDocument>(Failure(bytes.error())), path.string());
-    return inFile(readAs(*format, *bytes), path.string());
+    Result<LoadedDocument> loaded = inFile(info.load({path, *bytes, options}), path.string());
+    if (loaded) loaded->format = *format;
+    return loaded;
 }
 
 std::vector<std::string> lossesOf(const Document& document, Format format) {
-    std::vector<std::string> losses;
-    if (format == Format::voxprite) return losses;
-    if (format == Format::csm) return csmLosses(document);
-    const std::string where = std::string(".") + nameOf(format);
-    const Palette& palette = document.palette;
-    if (!palette.variants.empty()) {
-        std::string names;
-        for (const PaletteVariant& variant : palette.variants) {
-            names += (names.empty() ? "" : ", ") + variant.name;
-        }
-        losses.push_back(where + " holds one palette: the variants are left out (" + names + ")");
-    }
-    if (!palette.ramps.empty()) {
-        losses.push_back(where + " has no colour ramps: " + std::to_string(palette.ramps.size()) +
-                         " left out");
-    }
-    if (format != Format::vox) return losses;
-    const auto leftOut = [&](std::size_t count, const char* what) {
-        if (count == 0) return;
-        losses.push_back(where + " has no " + what + ": " + std::to_string(count) + " left out");
-    };
-    leftOut(document.clips.size(), "clips");
-    leftOut(document.sockets.size(), "sockets");
-    return losses;
+    const FormatInfo& info = infoOf(format);
+    return info.losses == nullptr ? std::vector<std::string>{} : info.losses(document);
 }
 
 Status saveDocument(const std::filesystem::path& path, const Document& document,
-                    const GameProfile& profile, std::stop_token stop) {
+                    const GameProfile& profile, std::stop_token stop, const WriteOptions& options) {
     const Result<Format> format = formatOf(path);
     if (!format) return Failure(format.error());
-    const Result<Bytes> bytes = writeAs(*format, document, profile);
+    const SaveRequest request{document, profile, options, path.filename(), stop};
+    const Result<std::vector<NamedBytes>> files = filesOf(infoOf(*format), request);
     if (stop.stop_requested()) return failInFile(path.string(), "cancelled, nothing written");
-    if (!bytes) return inFile(Status(Failure(bytes.error())), path.string());
-    return inFile(writeFileAtomically(path, *bytes), path.string());
+    if (!files) return inFile(Status(Failure(files.error())), path.string());
+    for (const NamedBytes& file : *files) {
+        const std::filesystem::path target = path.parent_path() / file.name;
+        if (Status s = inFile(writeFileAtomically(target, ByteView(file.bytes)), target.string());
+            !s) {
+            return s;
+        }
+    }
+    return {};
 }
 
 }  // namespace voxprite

@@ -1,37 +1,107 @@
-// Every file that voxprite reads or writes, by its ending. The one door for files.
+// Every file that voxprite reads or writes as a model, by its ending: the one door for files.
+//
+// What there is stands in one table (core/io/format_table.cpp), a row a format; dialogs, the
+// command line's help and the errors about unknown endings are made from it. A new format takes a
+// value of Format, a row, and what the row points to.
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "core/base/bytes.h"
 #include "core/base/result.h"
 #include "core/model/document.h"
 #include "core/model/game_profile.h"
 
 namespace voxprite {
 
-enum class Format : std::uint8_t { vox, voxprite, svo, csm };
+enum class Format : std::uint8_t { voxprite, vox, svo, csm };
 
 struct LoadedDocument {
     Document document;
     Format format = Format::vox;
-    std::vector<std::string> warnings;
+    // What was odd but harmless, and what a reader chose where the file left a choice; a sentence
+    // each.
+    std::vector<std::string> warnings{};
 };
 
-[[nodiscard]] Result<Format> formatOf(const std::filesystem::path& path);
+// What the caller may choose where a file leaves a choice: a member for each format that does.
+struct ReadOptions {};
+// The same for writing.
+struct WriteOptions {};
+
+// What a reader gets. A format that is spread over several files finds the others by `path`, and
+// never outside its folder.
+struct FileSource {
+    std::filesystem::path path;
+    ByteView bytes;  // of the file at `path`
+    const ReadOptions& options;
+};
+
+struct SaveRequest {
+    const Document& document;
+    const GameProfile& profile;
+    const WriteOptions& options;
+    std::filesystem::path name;  // of the file, without a folder; neighbours are named after it
+    std::stop_token stop;
+};
+
+// A file to be written: its name without a folder.
+struct NamedBytes {
+    std::string name;
+    Bytes bytes;
+};
+
+struct FormatInfo {
+    Format format = Format::vox;
+    const char* name = "";    // "vox": what JSON and `--to` call it
+    const char* ending = "";  // ".vox", in lower case
+    const char* title = "";   // "MagicaVoxel": what people call it
+    // Fills document and warnings. Null: the format is not read.
+    Result<LoadedDocument> (*load)(const FileSource& source) = nullptr;
+    // The file's bytes, a pure function of the request. Null: the format is not written.
+    Result<Bytes> (*save)(const SaveRequest& request) = nullptr;
+    // In place of `save` for formats of several files side by side: the last of them is the one
+    // that was asked for, `request.name`, and refers to the others.
+    Result<std::vector<NamedBytes>> (*saveFiles)(const SaveRequest& request) = nullptr;
+    // What the format cannot hold of a document, one sentence each.
+    std::vector<std::string> (*losses)(const Document& document) = nullptr;
+
+    [[nodiscard]] bool reads() const { return load != nullptr; }
+    [[nodiscard]] bool writes() const { return save != nullptr || saveFiles != nullptr; }
+    [[nodiscard]] bool severalFiles() const { return saveFiles != nullptr; }
+};
+
+// The table; the native format first.
+[[nodiscard]] std::span<const FormatInfo> formats();
+[[nodiscard]] const FormatInfo& infoOf(Format format);
 [[nodiscard]] const char* nameOf(Format format);
-// Of every format, with the dot; the native one first.
+
+// By the ending, in upper or lower case.
+[[nodiscard]] Result<Format> formatOf(const std::filesystem::path& path);
+// By the name ("vox").
+[[nodiscard]] Result<Format> formatNamed(const std::string& name);
+
+// Of every format that is read, with the dot; the native one first.
 [[nodiscard]] std::vector<std::string> modelEndings();
+// Of every format that is written.
+[[nodiscard]] std::vector<std::string> writtenEndings();
+// ".voxprite, .vox, ... or .csm", for help and errors.
+[[nodiscard]] std::string listed(const std::vector<std::string>& endings);
+
 // Errors name the file, the place in it and the reason. Nothing is half loaded.
-[[nodiscard]] Result<LoadedDocument> loadDocument(const std::filesystem::path& path);
+[[nodiscard]] Result<LoadedDocument> loadDocument(const std::filesystem::path& path,
+                                                  const ReadOptions& options = {});
 // What writing the document in this format leaves out, one sentence each; none for .voxprite.
 [[nodiscard]] std::vector<std::string> lossesOf(const Document& document, Format format);
-// Atomic. For .svo this is the verified export: the bytes are read back and compared voxel by voxel
-// before the file appears under its name. Asked to stop while it works it fails, having written
-// nothing.
+// Each file atomically, the one that refers to the others last. For .svo this is the verified
+// export: the bytes are read back and compared voxel by voxel before the file appears under its
+// name. Asked to stop while it works it fails, having written nothing.
 [[nodiscard]] Status saveDocument(const std::filesystem::path& path, const Document& document,
-                                  const GameProfile& profile, std::stop_token stop = {});
+                                  const GameProfile& profile, std::stop_token stop = {},
+                                  const WriteOptions& options = {});
 
 }  // namespace voxprite

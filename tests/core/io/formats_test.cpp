@@ -22,13 +22,20 @@ TEST(Formats, AreKnownByTheirEnding) {
     EXPECT_EQ(formatOf("my.game.voxprite").value(), Format::voxprite);
     EXPECT_EQ(formatOf("x.svo").value(), Format::svo);
     EXPECT_EQ(formatOf("x.csm").value(), Format::csm);
-    EXPECT_EQ(modelEndings(), (std::vector<std::string>{".voxprite", ".vox", ".svo", ".csm"}));
-    for (const Format format : {Format::vox, Format::voxprite, Format::svo, Format::csm}) {
-        EXPECT_EQ(formatOf(std::string("x.") + nameOf(format)).value(), format);
+    EXPECT_EQ(modelEndings().front(), ".voxprite");
+    for (const FormatInfo& info : formats()) {
+        EXPECT_EQ(formatOf(std::string("x") + info.ending).value(), info.format);
+        EXPECT_EQ(formatNamed(info.name).value(), info.format);
+        EXPECT_EQ(&infoOf(info.format), &info);
+        EXPECT_STREQ(nameOf(info.format), info.name);
     }
-    const auto unknown = formatOf("hut.obj");
+    EXPECT_FALSE(formatNamed(".vox"));
+    EXPECT_EQ(listed({}), "");
+    EXPECT_EQ(listed({".a"}), ".a");
+    EXPECT_EQ(listed({".a", ".b", ".c"}), ".a, .b or .c");
+    const auto unknown = formatOf("hut.txt");
     ASSERT_FALSE(unknown);
-    EXPECT_EQ(unknown.error().file, "hut.obj");
+    EXPECT_EQ(unknown.error().file, "hut.txt");
     EXPECT_NE(unknown.error().message.find(".voxprite"), std::string::npos);
     EXPECT_FALSE(formatOf("hut"));
     EXPECT_FALSE(formatOf(""));
