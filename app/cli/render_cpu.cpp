@@ -1,12 +1,7 @@
 // Pictures on the CPU: the integer caster for sprites, and the same walk for perspective rays.
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-
 #include "app/cli/render_shot.h"
 #include "app/cli/stopwatch.h"
-#include "core/base/parallel.h"
-#include "core/sprite/voxel_placement.h"
+#include "core/sprite/perspective_picture.h"
 
 namespace voxprite::cli {
 namespace {
@@ -24,39 +19,12 @@ Image compositeSprite(const Shot& shot, const SpriteBuffer& buffer) {
     return composite(sprites, shot.camera, shot.background, shot.ground);
 }
 
-// The voxels themselves, one eye ray through each pixel's centre.
 Image perspectiveImage(const Shot& shot) {
-    const glm::dmat3 voxelFromWorldAxes = glm::transpose(shot.placed.worldFromVoxelAxes);
-    const OctreeView octree = shot.octree.view();
-    const RaycastOptions depth{.maxDepth = shot.octreeDepth};
-    const FaceShader faces(octree, faceLights({}, voxelFromWorldAxes, shot.profile.light).rays);
-    const VoxelPlacement placement = voxelPlacement(shot.placed);
-    Image image(shot.camera.viewportPx.x, shot.camera.viewportPx.y, shot.background);
-    std::vector<float> depths(image.pixels.size(), 0.0f);
-    parallelFor(image.height, 0, [&](int firstRow, int lastRow) {
-        PaletteShader shader(shot.palette);
-        for (int y = firstRow; y < lastRow; ++y) {
-            for (int x = 0; x < image.width; ++x) {
-                const Camera::Ray ray = shot.camera.rayThrough(glm::dvec2(x, y) + 0.5);
-                const glm::dvec3 direction = voxelFromWorldAxes * ray.direction;
-                const RaycastHit hit =
-                    raycast(octree, placement, {ray.origin, ray.direction}, depth);
-                if (!hit.hit) continue;
-                const glm::dvec3 fromEye =
-                    ray.origin - shot.camera.eyeMetres + ray.direction * hit.t;
-                depths[static_cast<std::size_t>(&image.at(x, y) - image.pixels.data())] =
-                    shot.camera.reversedDepth(glm::dot(fromEye, shot.camera.forward));
-                const FaceLights lights = faceLights(glm::ivec3(glm::sign(direction)),
-                                                     voxelFromWorldAxes, shot.profile.light);
-                const int side = direction[hit.axis] < 0.0 ? 1 : -1;
-                const FaceShade shade = faces.shadeOf({hit.voxel, hit.axis, side});
-                const std::uint8_t light8 = lights.of(hit.axis, shade);
-                image.at(x, y) = shader.inLight(light8, shot.profile.shading)[hit.value];
-            }
-        }
-    });
-    if (shot.ground) drawGround(*shot.ground, shot.camera, depths, image);
-    return image;
+    PerspectivePicture picture =
+        perspectivePicture(shot.octree.view(), shot.palette, shot.placed, shot.profile.light,
+                           shot.profile.shading, shot.camera, shot.background, shot.octreeDepth);
+    if (shot.ground) drawGround(*shot.ground, shot.camera, picture.reversedDepths, picture.image);
+    return std::move(picture.image);
 }
 
 }  // namespace

@@ -1,25 +1,10 @@
-// Elapsed time by the steady clock.
+// Elapsed time, by the name that the commands and the bench have for it.
 #pragma once
 
-#include <chrono>
+#include "core/base/stopwatch.h"
 
 namespace voxprite::cli {
 
-class Stopwatch {
-  public:
-    [[nodiscard]] double milliseconds() const {
-        return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
-    }
-    // The time since the last lap, or since the start.
-    double lapMilliseconds() {
-        const double elapsed = milliseconds();
-        start_ = Clock::now();
-        return elapsed;
-    }
-
-  private:
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point start_ = Clock::now();
-};
+using voxprite::Stopwatch;
 
 }  // namespace voxprite::cli

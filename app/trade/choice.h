@@ -19,7 +19,7 @@ enum class Cost : std::uint8_t { milliseconds, rays };
 [[nodiscard]] std::vector<std::size_t> paretoFront(const Curve& curve, Yardstick yardstick,
                                                    Cost cost = Cost::milliseconds);
 
-// Among points that `allowed` says (indices into curve.points; empty: all).
+// How to choose.
 struct Wish {
     Yardstick yardstick = Yardstick::sprite;
     Cost cost = Cost::milliseconds;

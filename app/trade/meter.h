@@ -9,8 +9,10 @@
 // no OpenGL: the editor keeps one on a thread of its own.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/trade/figures.h"
@@ -19,6 +21,7 @@
 #include "core/base/result.h"
 #include "core/measure/plane.h"
 #include "core/model/document.h"
+#include "core/model/palette.h"
 #include "core/sprite/camera.h"
 #include "core/svo/octree.h"
 
@@ -48,6 +51,7 @@ struct Plan {
     double repeatMilliseconds = 300.0;  // more repeats until this has passed; at most 50
     double flipPixelsPerDegree = 67.0;
     int idealSamples = 4000;  // rays asked of the ideal caster, at most, for each view
+    int threads = 1;          // for the perspective yardstick; what is timed has one; 0: all cores
 };
 
 // For an editor that measures while the artist draws: a second or two a curve of a small model.

@@ -10,14 +10,14 @@ namespace {
 
 constexpr int kLeastEdgeCells = 4;
 
+}  // namespace
+
 int coarseLevelsOf(glm::ivec3 size) {
     const int longest = std::max({size.x, size.y, size.z});
     int levels = 0;
     while (levels < kMostCoarseLevels && longest >> (levels + 1) >= kLeastEdgeCells) ++levels;
     return levels;
 }
-
-}  // namespace
 
 Result<ModelLevels> buildModelLevels(const Octree& model, int threads) {
     ModelLevels built;

@@ -13,11 +13,14 @@ namespace voxprite {
 
 inline constexpr int kMostCoarseLevels = 3;
 
+// How many levels of the octree a model of this size has to leave out: as many as leave the longest
+// edge four cells, and no more than kMostCoarseLevels.
+[[nodiscard]] int coarseLevelsOf(glm::ivec3 size);
+
 struct ModelLevels {
     glm::ivec3 origin{0};  // of the model itself, and its size
     glm::ivec3 size{0};
-    // [k] leaves k + 1 levels out. As many as leave the longest edge four cells, and no more than
-    // kMostCoarseLevels; none for an empty model.
+    // [k] leaves k + 1 levels out; coarseLevelsOf(size) of them.
     std::vector<Octree> coarse;
     ClusterMesh clusters;  // empty where the octree is too deep for one
 };

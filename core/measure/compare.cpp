@@ -5,7 +5,6 @@
 #include <numeric>
 #include <string>
 
-#include "core/measure/flip.h"
 #include "core/measure/mask.h"
 #include "core/measure/ssim.h"
 
@@ -78,7 +77,12 @@ Result<double> flipInside(const Image& a, const Image& b) {
                            silhouetteOf(b));
 }
 
-Result<ImageComparison> compareImages(const Image& a, const Image& b) {
+Result<Plane> flipErrors(const Image& a, const Image& b, double pixelsPerDegree) {
+    if (const Status can = comparable(a, b); !can) return Failure(can.error());
+    return flipMap(overBackground(a), overBackground(b), pixelsPerDegree);
+}
+
+Result<ImageComparison> compareImages(const Image& a, const Image& b, double pixelsPerDegree) {
     if (const Status can = comparable(a, b); !can) return Failure(can.error());
     ImageComparison result;
     result.pixels = a.pixels.size();
@@ -95,7 +99,14 @@ Result<ImageComparison> compareImages(const Image& a, const Image& b) {
     const Mask inA = silhouetteOf(a);
     const Mask inB = silhouetteOf(b);
     const Overlap silhouettes = overlapOf(inA, inB);
+    result.covered = silhouettes.united;
+    if (result.covered > 0)
+        result.mismatchInside =
+            static_cast<double>(result.mismatched) / static_cast<double>(result.covered);
     result.silhouetteXor = silhouettes.differing();
+    if (result.silhouetteXor > 0)
+        result.silhouetteXorShare =
+            static_cast<double>(result.silhouetteXor) / static_cast<double>(inA.count());
     result.iou = silhouettes.iou();
     result.boundaryIou = boundaryIou(inA, inB, boundaryDistancePx(a.width, a.height));
     if (result.mismatched == 0) return result;
@@ -103,7 +114,7 @@ Result<ImageComparison> compareImages(const Image& a, const Image& b) {
     result.psnr = 10.0 * std::log10(255.0 * 255.0 / (errorSum / (4.0 * pixels)));
     const Image shownA = overBackground(a);
     const Image shownB = overBackground(b);
-    const Plane flip = flipMap(shownA, shownB);
+    const Plane flip = flipMap(shownA, shownB, pixelsPerDegree);
     result.flipMean = std::accumulate(flip.values.begin(), flip.values.end(), 0.0) / pixels;
     result.flipInside = meanWhereEither(flip, inA, inB);
     result.ssim = meanSsim(lumaOf(shownA), lumaOf(shownB));

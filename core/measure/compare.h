@@ -6,6 +6,7 @@
 
 #include "core/base/image.h"
 #include "core/base/result.h"
+#include "core/measure/flip.h"
 
 namespace voxprite {
 
@@ -17,17 +18,27 @@ struct ImageComparison {
     std::uint64_t pixels = 0;
     std::uint64_t mismatched = 0;  // any of R, G, B, A differs (two transparent pixels are equal)
     double mismatchRate = 0.0;     // mismatched / pixels
-    std::uint64_t silhouetteXor = 0;  // pixels opaque in exactly one (alpha >= 128)
-    double iou = 1.0;                 // of the silhouettes; 1 when both are empty
-    double boundaryIou = 1.0;         // of their borders, see core/measure/mask.h
-    double flipMean = 0.0;            // see core/measure/flip.h; 67 pixels a degree
-    double flipInside = 0.0;          // the mean over what is opaque in either; 0 when nothing is
-    std::optional<double> psnr;       // decibels over RGBA, premultiplied; none when equal
-    double ssim = 1.0;                // see core/measure/ssim.h; of the luma
+    std::uint64_t covered = 0;     // pixels opaque in either (alpha >= 128)
+    double mismatchInside = 0.0;   // mismatched / covered; 0 when nothing is
+    std::uint64_t silhouetteXor = 0;  // pixels opaque in exactly one
+    // silhouetteXor over the pixels opaque in `a`; infinite when there are none but in `b`.
+    double silhouetteXorShare = 0.0;
+    double iou = 1.0;            // of the silhouettes; 1 when both are empty
+    double boundaryIou = 1.0;    // of their borders, see core/measure/mask.h
+    double flipMean = 0.0;       // see core/measure/flip.h
+    double flipInside = 0.0;     // the mean over what is opaque in either; 0 when nothing is
+    std::optional<double> psnr;  // decibels over RGBA, premultiplied; none when equal
+    double ssim = 1.0;           // see core/measure/ssim.h; of the luma
 };
 
-// Fails when the sizes differ or a picture is empty.
-[[nodiscard]] Result<ImageComparison> compareImages(const Image& a, const Image& b);
+// Fails when the sizes differ or a picture is empty. FLIP's view is that of a display with so many
+// pixels a degree.
+[[nodiscard]] Result<ImageComparison> compareImages(const Image& a, const Image& b,
+                                                    double pixelsPerDegree = kFlipPixelsPerDegree);
+
+// FLIP a pixel of the pictures over the comparison's background: where they differ, and how much.
+[[nodiscard]] Result<Plane> flipErrors(const Image& a, const Image& b,
+                                       double pixelsPerDegree = kFlipPixelsPerDegree);
 
 // ImageComparison::flipInside alone: how different the things in two pictures look, however much
 // empty room there is around them. Fails as compareImages does.

@@ -36,27 +36,40 @@ class ScreenSprite {
         return x >= first_.x && x < last_.x && y >= first_.y && y < last_.y;
     }
 
-    // Draws over `colour` where the sprite is nearer than `depth`.
-    void draw(const Camera& camera, glm::dvec2 screenPx, Rgba8& colour, float& depth) const {
+    // Where in the buffer the sprite's pixel at a screen position lies; nothing where none shows.
+    [[nodiscard]] std::optional<std::size_t> shownAt(const Camera& camera,
+                                                     glm::dvec2 screenPx) const {
         const glm::dvec3 p = pixelFromScreen_ * glm::dvec3(screenPx, 1.0);
-        if (!(p.z > 0.0)) return;
+        if (!(p.z > 0.0)) return std::nullopt;
         const SpriteBuffer& buffer = *sprite_.buffer;
         const double column = std::floor(p.x / p.z) - buffer.first.x;
         const double row = buffer.first.y + buffer.size.y - 1 - std::floor(p.y / p.z);
-        if (!(column >= 0.0 && row >= 0.0 && column < buffer.size.x && row < buffer.size.y)) return;
+        if (!(column >= 0.0 && row >= 0.0 && column < buffer.size.x && row < buffer.size.y))
+            return std::nullopt;
         const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(buffer.size.x) +
                         static_cast<std::size_t>(column);
-        if (buffer.ids[at] == kIdEmpty) return;
+        if (buffer.ids[at] == kIdEmpty) return std::nullopt;
         if (sprite_.view->proxy == ProxyShape::box &&
             !meetsProxyBox(*sprite_.view, camera.rayFromEye(screenPx)))
-            return;
+            return std::nullopt;
+        return at;
+    }
+
+    // Draws over `colour` where the sprite is nearer than `depth`.
+    void draw(const Camera& camera, glm::dvec2 screenPx, Rgba8& colour, float& depth) const {
+        const std::optional<std::size_t> at = shownAt(camera, screenPx);
+        if (!at) return;
         const float own = sprite_.depthMetres == nullptr
                               ? depth_
-                              : camera.reversedDepth((*sprite_.depthMetres)[at]);
+                              : camera.reversedDepth((*sprite_.depthMetres)[*at]);
         if (!(own > depth)) return;
         depth = own;
-        colour = buffer.colours[at];
+        colour = sprite_.buffer->colours[*at];
     }
+
+    // The screen pixels that may show it, half open.
+    [[nodiscard]] glm::ivec2 firstPx() const { return first_; }
+    [[nodiscard]] glm::ivec2 lastPx() const { return last_; }
 
   private:
     CompositeSprite sprite_;
@@ -97,6 +110,23 @@ Image composite(std::span<const CompositeSprite> sprites, const Camera& camera, 
             }
     });
     return image;
+}
+
+SpriteOnScreen onScreen(const SpriteView& view, const SpriteBuffer& buffer, const Camera& camera) {
+    const glm::ivec2 size = camera.viewportPx;
+    SpriteOnScreen shown{Image(size.x, size.y), {}};
+    shown.ids.assign(shown.image.pixels.size(), kIdEmpty);
+    const ScreenSprite sprite({&view, &buffer, nullptr}, camera);
+    const glm::ivec2 last = glm::min(sprite.lastPx(), size);
+    for (int y = sprite.firstPx().y; y < last.y; ++y)
+        for (int x = sprite.firstPx().x; x < last.x; ++x) {
+            const std::optional<std::size_t> at = sprite.shownAt(camera, glm::dvec2(x, y) + 0.5);
+            if (!at) continue;
+            shown.image.at(x, y) = buffer.colours[*at];
+            shown.ids[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
+                      static_cast<std::size_t>(x)] = buffer.ids[*at];
+        }
+    return shown;
 }
 
 void drawGround(const Ground& ground, const Camera& camera, std::span<const float> reversedDepths,

@@ -41,11 +41,6 @@ namespace voxprite::conformance {
 // Seed 004's octants, x in the highest bit.
 [[nodiscard]] std::uint8_t materialInProseOrder(const OctreeView& octree, glm::ivec3 tree);
 
-// Section 7 as shaders usually have it, in fp32: the inverse of the direction, the octree entered
-// anew from its root for every node, and an epsilon past each face. `origin` in voxels.
-[[nodiscard]] LatticeHit castFp32Walk(const OctreeView& octree, const std::array<float, 3>& origin,
-                                      const std::array<float, 3>& direction);
-
 // Cell by cell in long double along an infinite line. Coordinates are in units of which a voxel has
 // `unitsPerVoxel`: with integers (a lattice ray) every comparison is exact, since quotients of
 // numbers below 2^31 that differ do so within the 64 bits of a long double.

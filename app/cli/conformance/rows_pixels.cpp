@@ -7,6 +7,7 @@
 #include "app/cli/conformance/conformance.h"
 #include "app/cli/conformance/literal.h"
 #include "app/cli/conformance/subjects.h"
+#include "app/trade/fp32_walk.h"
 
 namespace voxprite::conformance {
 namespace {
@@ -123,7 +124,8 @@ void countWrong(const Subject& subject, const LatticeView& lattice, WrongPixels&
             }
             const LatticeHit truth = castCells(octree, origin, direction, stepsPerVoxel);
             wrong.shown += truth.material != 0 ? 1.0 : 0.0;
-            wrong.fp32 += differ(castFp32Walk(octree, origin32, direction32), truth) ? 1.0 : 0.0;
+            wrong.fp32 +=
+                differ(trade::castFp32Walk(octree, origin32, direction32), truth) ? 1.0 : 0.0;
             wrong.ours += differ(caster.cast(pixel), truth) ? 1.0 : 0.0;
         }
 }

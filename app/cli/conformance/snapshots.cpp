@@ -9,6 +9,7 @@
 #include "app/cli/stopwatch.h"
 #include "core/billboard/snapshot_blit.h"
 #include "core/measure/compare.h"
+#include "core/sprite/composite.h"
 
 namespace voxprite::conformance {
 namespace {
@@ -40,22 +41,8 @@ struct Seen {
 };
 
 Seen shownBy(const SpriteView& view, const SpriteBuffer& buffer, const Camera& camera) {
-    Seen seen{Image(camera.viewportPx.x, camera.viewportPx.y, kNothing), {}};
-    const glm::dmat3 mapping = pixelFromScreen(view, camera);
-    for (int y = 0; y < camera.viewportPx.y; ++y) {
-        for (int x = 0; x < camera.viewportPx.x; ++x) {
-            const glm::dvec3 p = mapping * glm::dvec3(x + 0.5, y + 0.5, 1.0);
-            const glm::ivec2 cell = glm::ivec2(glm::floor(glm::dvec2(p) / p.z)) - buffer.first;
-            seen.ids.push_back(kIdEmpty);
-            if (cell.x < 0 || cell.y < 0 || cell.x >= buffer.size.x || cell.y >= buffer.size.y)
-                continue;
-            const auto at =
-                static_cast<std::size_t>((buffer.size.y - 1 - cell.y) * buffer.size.x + cell.x);
-            seen.colours.at(x, y) = buffer.colours[at];
-            seen.ids.back() = buffer.ids[at];
-        }
-    }
-    return seen;
+    SpriteOnScreen shown = onScreen(view, buffer, camera);
+    return {std::move(shown.image), std::move(shown.ids)};
 }
 
 // One model, seen exactly and by snapshots.

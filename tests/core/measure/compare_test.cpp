@@ -72,6 +72,48 @@ TEST(CompareImages, SilhouettesOfShiftedSquares) {
     EXPECT_DOUBLE_EQ(result->iou, 80.0 / 120.0);
 }
 
+// Of 10 x 10 pixels each, shifted by 2: 120 are covered, 40 of them by one alone; `a` has 100.
+TEST(CompareImages, SharesOfWhatIsCovered) {
+    Image a(40, 20);
+    Image b(40, 20);
+    for (int y = 5; y < 15; ++y) {
+        for (int x = 5; x < 15; ++x) {
+            a.at(x, y) = Rgba8(200, 100, 50, 255);
+            b.at(x + 2, y) = Rgba8(200, 100, 50, 255);
+        }
+    }
+    const auto result = compareImages(a, b);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->covered, 120u);
+    EXPECT_DOUBLE_EQ(result->mismatchInside, 40.0 / 120.0);
+    EXPECT_DOUBLE_EQ(result->silhouetteXorShare, 0.4);
+    const auto equal = compareImages(a, a);
+    ASSERT_TRUE(equal);
+    EXPECT_EQ(equal->covered, 100u);
+    EXPECT_EQ(equal->silhouetteXorShare, 0.0);
+    const auto nothingWanted = compareImages(Image(40, 20), b);
+    ASSERT_TRUE(nothingWanted);
+    EXPECT_TRUE(std::isinf(nothingWanted->silhouetteXorShare));
+}
+
+// The farther the display, the more a pixel is blurred away: fine noise is seen less.
+TEST(CompareImages, FlipGoesByPixelsADegree) {
+    const Image a = noise(48, 48, 4);
+    const Image b = noise(48, 48, 5);
+    const auto near = compareImages(a, b, 20.0);
+    const auto usual = compareImages(a, b);
+    const auto far = compareImages(a, b, 134.0);
+    ASSERT_TRUE(near && usual && far);
+    EXPECT_GT(near->flipMean, usual->flipMean);
+    EXPECT_GT(usual->flipMean, far->flipMean);
+    EXPECT_EQ(near->mismatched, far->mismatched);
+    const auto map = flipErrors(a, b, 20.0);
+    ASSERT_TRUE(map);
+    double sum = 0.0;
+    for (const double error : map->values) sum += error;
+    EXPECT_NEAR(sum / (48.0 * 48.0), near->flipMean, 1e-12);
+}
+
 TEST(CompareImages, PsnrByHand) {
     // One of 100 pixels differs by 10 in one channel: MSE = 100 / 400.
     const Image a(10, 10, Rgba8(50, 60, 70, 255));

@@ -1,0 +1,371 @@
+#include "app/trade/meter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <random>
+
+#include "app/trade/drawer.h"
+#include "app/trade/gl_stage.h"
+#include "app/trade/shown_errors.h"
+#include "core/base/stopwatch.h"
+#include "core/measure/temporal.h"
+#include "core/sprite/perspective_picture.h"
+#include "core/sprite/view_axes.h"
+#include "core/trace/ideal_caster.h"
+#include "render/measure_representations.h"
+
+namespace voxprite::trade {
+namespace {
+
+constexpr int kMostRepeats = 50;
+constexpr double kMostSizePx = 512.0;
+constexpr double kWayPitchDegrees = 22.0;
+constexpr double kWayClimb = 0.2;  // degrees of pitch a degree of yaw, to and fro
+
+Status validate(const Plan& plan) {
+    if (Status profile = voxprite::validate(plan.profile); !profile) return profile;
+    if (plan.sizesPx.empty()) return fail("there is no size to measure at");
+    for (const double size : plan.sizesPx)
+        if (!(size >= 1.0 && size <= kMostSizePx))
+            return fail("sizes to measure at must be 1 ... 512 pixels");
+    if (!std::is_sorted(plan.sizesPx.begin(), plan.sizesPx.end()))
+        return fail("sizes to measure at must ascend");
+    if (plan.views < 1 || plan.frames < 2 || !(plan.degreesAFrame > 0.0) || plan.leastRepeats < 1 ||
+        plan.idealSamples < 1 || !(plan.flipPixelsPerDegree > 0.0))
+        return fail("a plan needs views, frames, turns, repeats, samples and pixels a degree");
+    return {};
+}
+
+}  // namespace
+
+Plan quickPlan(const GameProfile& profile) {
+    Plan plan;
+    plan.profile = profile;
+    plan.sizesPx = {64};
+    plan.views = 2;
+    plan.frames = 8;
+    plan.degreesAFrame = 1.5;
+    plan.leastRepeats = 2;
+    plan.repeatMilliseconds = 0.0;
+    plan.idealSamples = 500;
+    return plan;
+}
+
+struct Meter::Impl {
+    std::shared_ptr<const Model> model;
+    Plan plan;
+    ModelParts parts;
+    GlStage* gl = nullptr;
+    std::vector<OrbitAngles> views;
+    double wayStartDegrees = 0.0;
+    // By size and view, made when they are first asked for.
+    struct Yardsticks {
+        std::optional<Shown> sprite, perspective;
+    };
+    std::vector<std::vector<Yardsticks>> yardsticks;
+
+    Impl(std::shared_ptr<const Model> measured, Plan how, GlStage* stage);
+    [[nodiscard]] Setting wanted() const;
+    [[nodiscard]] Camera camera(const OrbitAngles& view, double sizePx) const {
+        return cameraAtSize(parts.placed().radiusMetres(), sizePx, view,
+                            glm::ivec2(edgeAtSize(sizePx)));
+    }
+    [[nodiscard]] std::vector<Camera> way(double sizePx, int section) const;
+    [[nodiscard]] Result<Shown> yardstick(Yardstick which, const Camera& camera);
+    [[nodiscard]] Result<const Shown*> kept(Yardstick which, std::size_t size, std::size_t view);
+    [[nodiscard]] NumberErrors numbers(const Drawer& drawer, std::size_t view) const;
+    [[nodiscard]] Status measureErrors(Drawer& drawer, std::size_t size, AtSize& out,
+                                       const Progress& progress, bool& stopped);
+    [[nodiscard]] Status measureWay(Drawer& drawer, const Setting& setting, AtSize& out,
+                                    const Progress& progress, bool& stopped);
+    [[nodiscard]] Status timeWay(Drawer& drawer, const Setting& setting, AtSize& out,
+                                 const Progress& progress, bool& stopped);
+    [[nodiscard]] Result<double> timeSection(Drawer& drawer, const Setting& setting, double sizePx,
+                                             int section);
+    [[nodiscard]] bool byGl(const Setting& setting) const {
+        return gl != nullptr && setting.walk == Walk::lattice;
+    }
+};
+
+Meter::Impl::Impl(std::shared_ptr<const Model> measured, Plan how, GlStage* stage)
+    : model(std::move(measured)), plan(std::move(how)), parts(model, plan.profile), gl(stage) {
+    // The generator is the standard's, its numbers the same everywhere; its distributions are not.
+    std::mt19937_64 random(plan.seed);
+    const auto unit = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53); };
+    for (int k = 0; k < plan.views; ++k) {
+        const double yaw = 360.0 * unit();
+        views.push_back({yaw, -10.0 + 70.0 * unit(), 0.0});
+    }
+    wayStartDegrees = 360.0 * unit();
+    yardsticks.assign(plan.sizesPx.size(), std::vector<Yardsticks>(views.size()));
+}
+
+// The sprite that the game asks for, without what only makes it cheaper.
+Setting Meter::Impl::wanted() const {
+    Setting setting = settingOf(plan.profile);
+    setting.mode = SpriteMode::spriteBuffer;
+    setting.viewStepDegrees = 0.0;
+    setting.proxy = ProxyShape::quad;
+    return setting;
+}
+
+std::vector<Camera> Meter::Impl::way(double sizePx, int section) const {
+    std::vector<Camera> cameras;
+    for (int k = 0; k < plan.frames; ++k) {
+        const double turned = (section * plan.frames + k) * plan.degreesAFrame;
+        // To and fro, without a corner.
+        const double climbed = kWayClimb * 50.0 * std::sin(glm::radians(turned) * 180.0 / 50.0);
+        cameras.push_back(
+            camera({wayStartDegrees + turned, kWayPitchDegrees + climbed / 3.0, 0.0}, sizePx));
+    }
+    return cameras;
+}
+
+Result<Shown> Meter::Impl::yardstick(Yardstick which, const Camera& camera) {
+    if (which == Yardstick::sprite) {
+        Result<Drawer> drawer = Drawer::create(parts, plan.profile, wanted(), gl);
+        if (!drawer) return Failure(drawer.error());
+        return drawer->draw(camera, false);
+    }
+    PerspectivePicture picture =
+        perspectivePicture(model->octree.view(), model->palette, parts.placed(), plan.profile.light,
+                           plan.profile.shading, camera, Rgba8(0), kMaxOctreeDepth, plan.threads);
+    return Shown{std::move(picture.image), std::move(picture.ids), 0.0, 0.0};
+}
+
+Result<const Shown*> Meter::Impl::kept(Yardstick which, std::size_t size, std::size_t view) {
+    Yardsticks& both = yardsticks[size][view];
+    std::optional<Shown>& one = which == Yardstick::sprite ? both.sprite : both.perspective;
+    if (!one) {
+        Result<Shown> made = yardstick(which, camera(views[view], plan.sizesPx[size]));
+        if (!made) return Failure(made.error());
+        one = std::move(*made);
+    }
+    return &*one;
+}
+
+// Every n-th sample of the buffer, so that there are few enough; which ones depends on the view.
+NumberErrors Meter::Impl::numbers(const Drawer& drawer, std::size_t view) const {
+    NumberErrors errors;
+    const Drawer::Cast& cast = *drawer.lastCast();
+    const SpriteBuffer& buffer = *cast.buffer;
+    const std::size_t step =
+        std::max<std::size_t>(1, buffer.ids.size() / static_cast<std::size_t>(plan.idealSamples));
+    std::uint64_t other = 0, lost = 0;
+    for (std::size_t at = view % step; at < buffer.ids.size(); at += step) {
+        const auto column = static_cast<int>(at % static_cast<std::size_t>(buffer.size.x));
+        const auto row = static_cast<int>(at / static_cast<std::size_t>(buffer.size.x));
+        const glm::ivec2 pixel{buffer.first.x + column, buffer.first.y + buffer.size.y - 1 - row};
+        const LatticeHit truth = castIdeal(drawer.octree(), cast.view.ortho, pixel);
+        const bool hit = buffer.ids[at] >= kIdFirstVoxel;
+        if (truth.material == 0 && !hit) continue;
+        ++errors.samples;
+        if ((truth.material != 0) != hit)
+            ++lost;
+        else if (voxelId(truth.voxel, drawer.octree().size) != buffer.ids[at])
+            ++other;
+    }
+    if (errors.samples > 0) {
+        errors.voxels = static_cast<double>(other + lost) / static_cast<double>(errors.samples);
+        errors.silhouette = static_cast<double>(lost) / static_cast<double>(errors.samples);
+    }
+    return errors;
+}
+
+Status Meter::Impl::measureErrors(Drawer& drawer, std::size_t size, AtSize& out,
+                                  const Progress& progress, bool& stopped) {
+    ErrorMean sprite, perspective;
+    NumberMean numberMean;
+    for (std::size_t view = 0; view < views.size(); ++view) {
+        if (!progress.reached(static_cast<double>(view) / static_cast<double>(views.size()))) {
+            stopped = true;
+            return {};
+        }
+        const Result<Shown> shown = drawer.draw(camera(views[view], out.sizePx), false);
+        if (!shown) return Failure(shown.error());
+        for (const Yardstick which : {Yardstick::sprite, Yardstick::perspective}) {
+            const Result<const Shown*> truth = kept(which, size, view);
+            if (!truth) return Failure(truth.error());
+            const Result<PictureErrors> errors =
+                compareShown(**truth, *shown, plan.flipPixelsPerDegree);
+            if (!errors) return Failure(errors.error());
+            (which == Yardstick::sprite ? sprite : perspective).add(*errors);
+        }
+        if (drawer.lastCast() && drawer.lastCast()->buffer != nullptr)
+            numberMean.add(numbers(drawer, view));
+        out.sigmaInForce = shown->sigmaInForce;
+        out.screenPxPerPx = shown->screenPxPerPx;
+    }
+    out.sprite = sprite.mean();
+    out.perspective = perspective.mean();
+    out.numbers = numberMean.mean();
+    return {};
+}
+
+// The first section of the way: what it casts, and how restless it looks.
+Status Meter::Impl::measureWay(Drawer& drawer, const Setting& setting, AtSize& out,
+                               const Progress& progress, bool& stopped) {
+    drawer.forget();
+    TemporalMeter restless;
+    std::optional<glm::dvec3> before;
+    const std::vector<Camera> cameras = way(out.sizePx, 0);
+    for (std::size_t k = 0; k < cameras.size(); ++k) {
+        if (!progress.reached(static_cast<double>(k) / static_cast<double>(cameras.size()))) {
+            stopped = true;
+            return {};
+        }
+        const Result<Shown> shown = drawer.draw(cameras[k], true);
+        if (!shown) return Failure(shown.error());
+        const double turned =
+            before ? glm::degrees(angleBetween(*before, cameras[k].forward)) : 0.0;
+        before = cameras[k].forward;
+        if (Status added = restless.add(shown->image, turned); !added) return added;
+    }
+    const TemporalFigures& figures = restless.figures();
+    out.time = {figures.aDegree(figures.changed), figures.aDegree(figures.flips),
+                figures.aDegree(figures.crawl)};
+    if (!plan.costs) return {};
+    Costs costs;
+    costs.rays = static_cast<double>(drawer.counts().rays) / plan.frames;
+    costs.casts = static_cast<double>(drawer.counts().casts) / plan.frames;
+    costs.bytes = drawer.bytes();
+    costs.prepareMilliseconds = drawer.prepareMilliseconds();
+    if (setting.drawnBy == Representation::clusters) {
+        const Result<const ModelParts::Clusters*> clusters = parts.clusters();
+        if (!clusters) return Failure(clusters.error());
+        costs.bytes = static_cast<double>((*clusters)->mesh.bytes());
+        costs.prepareMilliseconds = (*clusters)->milliseconds;
+    }
+    costs.backend = byGl(setting) ? "gl" : "cpu";
+    out.costs = costs;
+    return {};
+}
+
+Result<double> Meter::Impl::timeSection(Drawer& drawer, const Setting& setting, double sizePx,
+                                        int section) {
+    const std::vector<Camera> cameras = way(sizePx, section);
+    const GameProfile profile = profileWith(plan.profile, setting);
+    ViewHistory history;
+    drawer.forget();
+    if (byGl(setting)) gl->forget();
+    double sum = 0.0;
+    for (const Camera& each : cameras) {
+        if (byGl(setting)) {
+            const Result<double> drawn = gl->frame(setting, profile, each, history);
+            if (!drawn) return drawn;
+            sum += *drawn;
+            continue;
+        }
+        const Stopwatch watch;
+        const Result<Shown> shown = drawer.draw(each, true);
+        if (!shown) return Failure(shown.error());
+        sum += watch.milliseconds();
+    }
+    return sum / static_cast<double>(cameras.size());
+}
+
+Status Meter::Impl::timeWay(Drawer& drawer, const Setting& setting, AtSize& out,
+                            const Progress& progress, bool& stopped) {
+    std::vector<double> times;
+    const Stopwatch watch;
+    // The first warms up.
+    for (int section = 0; section <= kMostRepeats; ++section) {
+        const bool enough =
+            section > plan.leastRepeats && watch.milliseconds() >= plan.repeatMilliseconds;
+        if (enough) break;
+        if (!progress.reached(std::min(1.0, section / (plan.leastRepeats + 1.0)))) {
+            stopped = true;
+            return {};
+        }
+        const Result<double> time = timeSection(drawer, setting, out.sizePx, section);
+        if (!time) return Failure(time.error());
+        if (section > 0) times.push_back(*time);
+    }
+    out.costs->milliseconds = spreadOf(std::move(times));
+    return {};
+}
+
+Meter::Meter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Meter::~Meter() = default;
+Meter::Meter(Meter&&) noexcept = default;
+Meter& Meter::operator=(Meter&&) noexcept = default;
+
+Result<Meter> Meter::create(std::shared_ptr<const Model> model, Plan plan, GlStage* gl) {
+    if (model == nullptr || model->octree.size == glm::ivec3(0) ||
+        node::isEmpty(model->octree.nodes.front()))
+        return fail("the model has no voxels to measure");
+    if (Status valid = validate(plan); !valid) return Failure(valid.error());
+    auto impl = std::make_unique<Impl>(std::move(model), std::move(plan), gl);
+    if (gl != nullptr) gl->setModel(impl->parts);
+    return Meter(std::move(impl));
+}
+
+const Plan& Meter::plan() const {
+    return impl_->plan;
+}
+
+int Meter::mostLevels() const {
+    return impl_->parts.mostLevels();
+}
+
+bool Meter::offers(const Setting& setting) const {
+    if (setting.drawnBy == Representation::clusters) return impl_->gl != nullptr;
+    if (setting.drawnBy == Representation::coarse)
+        return setting.coarseLevels >= 1 && setting.coarseLevels <= mostLevels();
+    return true;
+}
+
+Result<std::optional<Point>> Meter::measure(const AxisSetting& setting, const Progress& progress) {
+    if (!offers(setting.setting)) return fail("the model cannot be drawn by this setting");
+    GlStage* const stage = impl_->byGl(setting.setting) ? impl_->gl : nullptr;
+    Result<Drawer> drawer =
+        Drawer::create(impl_->parts, impl_->plan.profile, setting.setting, stage);
+    if (!drawer) return Failure(drawer.error());
+    Point point{setting.axis,
+                setting.setting,
+                describe(setting.setting, settingOf(impl_->plan.profile)),
+                {}};
+    const auto sizes = static_cast<double>(impl_->plan.sizesPx.size());
+    for (std::size_t size = 0; size < impl_->plan.sizesPx.size(); ++size) {
+        const Progress part =
+            progress.part(static_cast<double>(size) / sizes, static_cast<double>(size + 1) / sizes);
+        AtSize& out = point.bySize.emplace_back();
+        out.sizePx = impl_->plan.sizesPx[size];
+        bool stopped = false;
+        Status measured = impl_->measureErrors(*drawer, size, out, part.part(0.0, 0.4), stopped);
+        if (measured && !stopped)
+            measured =
+                impl_->measureWay(*drawer, setting.setting, out, part.part(0.4, 0.6), stopped);
+        if (measured && !stopped && out.costs)
+            measured = impl_->timeWay(*drawer, setting.setting, out, part.part(0.6, 1.0), stopped);
+        if (!measured) return Failure(measured.error());
+        if (stopped) return std::optional<Point>();
+    }
+    return std::optional<Point>(std::move(point));
+}
+
+std::vector<Camera> Meter::cameras(std::size_t size) const {
+    std::vector<Camera> cameras;
+    for (const OrbitAngles& view : impl_->views)
+        cameras.push_back(impl_->camera(view, impl_->plan.sizesPx[size]));
+    return cameras;
+}
+
+Camera Meter::camera(const OrbitAngles& view, double sizePx) const {
+    return impl_->camera(view, sizePx);
+}
+
+Result<Shown> Meter::show(const Setting& setting, const Camera& camera) {
+    if (!offers(setting)) return fail("the model cannot be drawn by this setting");
+    Result<Drawer> drawer = Drawer::create(impl_->parts, impl_->plan.profile, setting, impl_->gl);
+    if (!drawer) return Failure(drawer.error());
+    return drawer->draw(camera, false);
+}
+
+Result<Shown> Meter::showYardstick(Yardstick yardstick, const Camera& camera) {
+    return impl_->yardstick(yardstick, camera);
+}
+
+}  // namespace voxprite::trade

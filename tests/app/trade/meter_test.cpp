@@ -1,0 +1,196 @@
+// Settings measured on a small model: what must be exact is, what must grow grows, and it is the
+// same on every run and by both backends.
+#include "app/trade/meter.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "app/trade/choice.h"
+#include "app/trade/gl_stage.h"
+#include "core/svo/bake.h"
+#include "render/gl/context.h"
+#include "tests/support/must.h"
+#include "tests/support/voxels.h"
+
+namespace voxprite::trade {
+namespace {
+
+using test::must;
+
+std::shared_ptr<const Model> figureModel() {
+    return std::make_shared<const Model>(
+        Model{"figure", must(bake(test::figure())), Palette::standard(), Entity{}});
+}
+
+Plan smallPlan() {
+    Plan plan = quickPlan(GameProfile{});
+    plan.sizesPx = {40};
+    plan.profile.sigma = 2.0;
+    plan.frames = 6;
+    return plan;
+}
+
+using Points = std::map<std::string, Point>;
+
+Points measureAll(const Plan& plan, GlStage* gl) {
+    Meter meter = must(Meter::create(figureModel(), plan, gl));
+    Points points;
+    for (const AxisSetting& each :
+         settingsAlong(allAxes(), plan.profile, meter.mostLevels(), Effort::quick)) {
+        if (!meter.offers(each.setting)) continue;
+        Point point = must(meter.measure(each)).value();
+        EXPECT_TRUE(points.emplace(point.name, point).second) << point.name;
+    }
+    return points;
+}
+
+void expectSame(const PictureErrors& a, const PictureErrors& b, const std::string& name) {
+    EXPECT_EQ(a.mismatch, b.mismatch) << name;
+    EXPECT_EQ(a.voxels, b.voxels) << name;
+    EXPECT_EQ(a.silhouette, b.silhouette) << name;
+    EXPECT_EQ(a.iou, b.iou) << name;
+    EXPECT_EQ(a.boundaryIou, b.boundaryIou) << name;
+    EXPECT_EQ(a.outlineKept, b.outlineKept) << name;
+    EXPECT_EQ(a.outlineTrue, b.outlineTrue) << name;
+    EXPECT_EQ(a.flip, b.flip) << name;
+    EXPECT_EQ(a.flipWorst, b.flipWorst) << name;
+    EXPECT_EQ(a.psnr, b.psnr) << name;
+    EXPECT_EQ(a.ssim, b.ssim) << name;
+}
+
+void expectSameFigures(const Point& a, const Point& b) {
+    ASSERT_EQ(a.bySize.size(), b.bySize.size());
+    for (std::size_t k = 0; k < a.bySize.size(); ++k) {
+        const AtSize &one = a.bySize[k], &other = b.bySize[k];
+        expectSame(one.sprite, other.sprite, a.name);
+        expectSame(one.perspective, other.perspective, a.name);
+        EXPECT_EQ(one.numbers.has_value(), other.numbers.has_value());
+        if (one.numbers && other.numbers) {
+            EXPECT_EQ(one.numbers->voxels, other.numbers->voxels) << a.name;
+            EXPECT_EQ(one.numbers->samples, other.numbers->samples) << a.name;
+        }
+        EXPECT_EQ(one.time.changedADegree, other.time.changedADegree) << a.name;
+        EXPECT_EQ(one.time.flipsADegree, other.time.flipsADegree) << a.name;
+        EXPECT_EQ(one.time.crawlADegree, other.time.crawlADegree) << a.name;
+        EXPECT_EQ(one.costs->rays, other.costs->rays) << a.name;
+        EXPECT_EQ(one.costs->casts, other.costs->casts) << a.name;
+        EXPECT_EQ(one.costs->bytes, other.costs->bytes) << a.name;
+    }
+}
+
+const AtSize& only(const Points& points, const std::string& name) {
+    return points.at(name).bySize.front();
+}
+
+TEST(Meter, SettingsAreWorthWhatTheyMustBe) {
+    const Points points = measureAll(smallPlan(), nullptr);
+    const AtSize& game = only(points, "as the game has it");
+    EXPECT_EQ(game.sprite.flip, 0.0);
+    EXPECT_EQ(game.sprite.mismatch, 0.0);
+    EXPECT_EQ(game.sprite.voxels, 0.0);
+    EXPECT_EQ(game.sprite.outlineKept, 1.0);
+    EXPECT_FALSE(game.sprite.psnr);
+    EXPECT_GT(game.perspective.flip, 0.05);  // the style leaves something out
+    EXPECT_GT(game.perspective.iou, 0.8);    // and shows the same thing
+    EXPECT_FALSE(game.perspective.outlineKept);
+    ASSERT_TRUE(game.numbers);
+    EXPECT_LT(game.numbers->voxels, 0.02);
+    EXPECT_EQ(game.sigmaInForce, 2.0);
+
+    // The same pixels, more rays.
+    const AtSize& single = only(points, "single_pass");
+    EXPECT_EQ(single.sprite.mismatch, 0.0);
+    EXPECT_GT(single.costs->rays, 2.0 * game.costs->rays);
+
+    // Coarser steps: fewer rays, farther off, and calmer.
+    const AtSize &fine = only(points, "views every 1°"), &wide = only(points, "views every 15°");
+    EXPECT_EQ(game.costs->casts, 1.0);
+    EXPECT_LT(wide.costs->rays, fine.costs->rays);
+    EXPECT_GT(wide.sprite.flip, fine.sprite.flip);
+    EXPECT_GT(fine.sprite.flip, 0.0);
+    EXPECT_LT(wide.time.changedADegree, game.time.changedADegree);
+
+    // Smaller sigma: fewer rays. What the style leaves out is more.
+    const AtSize &half = only(points, "sigma 0.5"), &one = only(points, "sigma 1");
+    EXPECT_LT(half.costs->rays, one.costs->rays);
+    EXPECT_LT(one.costs->rays, game.costs->rays);
+    EXPECT_GT(half.perspective.flip, one.perspective.flip);
+    EXPECT_GT(one.perspective.flip, game.perspective.flip);
+
+    // Denser sets are less unlike, and hold more.
+    const AtSize &few = only(points, "snapshots of 26 views"),
+                 &many = only(points, "snapshots of 1296 views");
+    EXPECT_GT(few.sprite.flip, many.sprite.flip);
+    EXPECT_LT(few.costs->bytes, many.costs->bytes);
+    EXPECT_LT(few.costs->rays, game.costs->rays);
+
+    // A box cuts the outline away.
+    EXPECT_LT(*only(points, "proxy box").sprite.outlineKept, 1.0);
+    EXPECT_EQ(only(points, "octree coarser by 1").sprite.voxels, std::nullopt);
+    EXPECT_LT(only(points, "octree coarser by 1").sprite.flip,
+              only(points, "octree coarser by 2").sprite.flip);
+    for (const auto& [name, point] : points)
+        for (const AtSize& size : point.bySize) {
+            EXPECT_GE(size.costs->milliseconds.runs, 2) << name;
+            EXPECT_LE(size.costs->milliseconds.least, size.costs->milliseconds.median) << name;
+            EXPECT_LE(size.costs->milliseconds.median, size.costs->milliseconds.most) << name;
+            EXPECT_EQ(size.costs->backend, "cpu") << name;
+        }
+}
+
+TEST(Meter, TheSameSeedGivesTheSameFiguresOnEveryRunAndByBothBackends) {
+    Plan plan = smallPlan();
+    plan.profile.light.shadow = 0.5;
+    const Points first = measureAll(plan, nullptr);
+    const gl::HeadlessContext context = must(gl::HeadlessContext::create());
+    GlStage stage = must(GlStage::create());
+    const Points byGl = measureAll(plan, &stage);
+    EXPECT_GT(byGl.size(), first.size());  // clusters are drawn by OpenGL alone
+    for (const auto& [name, point] : first) expectSameFigures(point, byGl.at(name));
+    const Points again = measureAll(plan, nullptr);
+    for (const auto& [name, point] : first) expectSameFigures(point, again.at(name));
+
+    plan.seed = 2;
+    const Points other = measureAll(plan, nullptr);
+    EXPECT_NE(only(other, "views every 5°").sprite.flip, only(first, "views every 5°").sprite.flip);
+}
+
+TEST(Meter, WhatIsStoppedGivesNothing) {
+    Meter meter = must(Meter::create(figureModel(), smallPlan()));
+    std::stop_source stop;
+    int reports = 0;
+    const Progress progress(
+        [&](double share) {
+            EXPECT_GE(share, 0.0);
+            EXPECT_LE(share, 1.0);
+            if (++reports == 3) stop.request_stop();
+        },
+        stop.get_token());
+    const Result<std::optional<Point>> point =
+        meter.measure({Axis::game, settingOf(smallPlan().profile)}, progress);
+    ASSERT_TRUE(point);
+    EXPECT_FALSE(point->has_value());
+    EXPECT_EQ(reports, 3);
+}
+
+TEST(Meter, RefusesWhatCannotBeMeasured) {
+    const auto empty = std::make_shared<const Model>(Model{"nothing", Octree{}, {}, {}});
+    EXPECT_FALSE(Meter::create(empty, smallPlan()));
+    Plan plan = smallPlan();
+    plan.sizesPx = {100, 50};
+    EXPECT_FALSE(Meter::create(figureModel(), plan));
+    plan.sizesPx = {1e9};
+    EXPECT_FALSE(Meter::create(figureModel(), plan));
+    plan = smallPlan();
+    plan.frames = 0;
+    EXPECT_FALSE(Meter::create(figureModel(), plan));
+    Meter meter = must(Meter::create(figureModel(), smallPlan()));
+    AxisSetting clusters{Axis::clusters, settingOf(smallPlan().profile)};
+    clusters.setting.drawnBy = Representation::clusters;
+    EXPECT_FALSE(meter.offers(clusters.setting));
+    EXPECT_FALSE(meter.measure(clusters));
+}
+
+}  // namespace
+}  // namespace voxprite::trade
