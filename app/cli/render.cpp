@@ -5,6 +5,7 @@
 #include "app/cli/lattice_json.h"
 #include "app/cli/render_shot.h"
 #include "core/io/png.h"
+#include "core/io/profile_json.h"
 #include "core/sprite/sprite_point.h"
 
 namespace voxprite::cli {
@@ -38,6 +39,18 @@ Json socketsJson(const Shot& shot) {
         sockets.push_back(std::move(json));
     }
     return sockets;
+}
+
+// What a runtime needs beside the lattice to make the same colours of the palette
+// (samples/runtime/SVO.md).
+Json litJson(const Shot& shot) {
+    const Outline& outline = shot.lit.outline;
+    Json colour = nullptr;
+    if (outline.enabled) colour = {outline.colour.x, outline.colour.y, outline.colour.z};
+    return {{"light8", shot.lights.open},
+            {"shading", nameOf(shot.profile.shading)},
+            {"face_rays", shot.lit.rays.any()},
+            {"outline", std::move(colour)}};
 }
 
 Json clustersJson(const ChosenClusters& clusters) {
@@ -97,7 +110,10 @@ Json reportJson(const RenderOptions& options, const Shot& shot, const Drawn& dra
                           {"ids_sha256", buffer.idsSha256()},
                           {"opaque", buffer.opaqueCount()},
                           {"outline", buffer.outlineCount()}};
-        if (sprite) json["lattice"] = latticeJson(shot.lattice);
+        if (sprite) {
+            json["lattice"] = latticeJson(shot.lattice);
+            json["lit"] = litJson(shot);
+        }
         json["sockets"] = socketsJson(shot);
     }
     if (drawn.snapshots) json["snapshots"] = snapshotsJson(shot, *drawn.snapshots);

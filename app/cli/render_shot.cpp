@@ -115,9 +115,9 @@ Status castGivenLattice(Shot& shot, const std::string& path) {
     shot.lattice = file->lattice;
     shot.latticeGiven = true;
     shot.sigmaInForce = file->sigmaInForce.value_or(sigmaOf(shot.lattice, shot.placed.scale));
-    const FaceLights lights = faceLights(
-        shot.lattice.D, glm::transpose(shot.placed.worldFromVoxelAxes), shot.profile.light);
-    shot.lit = litPalette(shot.palette, lights, shot.profile.outline, shot.profile.shading);
+    shot.lights = faceLights(shot.lattice.D, glm::transpose(shot.placed.worldFromVoxelAxes),
+                             shot.profile.light);
+    shot.lit = litPalette(shot.palette, shot.lights, shot.profile.outline, shot.profile.shading);
     return {};
 }
 
@@ -132,8 +132,9 @@ Status viewFromCamera(Shot& shot) {
     shot.sigmaInForce = shot.view ? shot.view->sigmaInForce : shot.profile.sigma;
     if (shot.view) {
         shot.lattice = shot.view->lattice;
+        shot.lights = shot.view->light8;
         shot.lit =
-            litPalette(shot.palette, shot.view->light8, shot.profile.outline, shot.profile.shading);
+            litPalette(shot.palette, shot.lights, shot.profile.outline, shot.profile.shading);
     }
     return {};
 }

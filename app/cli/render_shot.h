@@ -47,6 +47,7 @@ struct Shot {
     std::optional<SpriteView> view;  // not set with a given lattice, or unseen
     std::optional<Unseen> unseen;
     LatticeView lattice;  // size (0, 0) when unseen
+    FaceLights lights;    // what `lit` was made with
     LitPalette lit;
     double sigmaInForce = 4.0;
     bool latticeGiven = false;  // then the picture is the buffer itself: a lattice has no camera

@@ -1,14 +1,8 @@
 #include "tests/app/editor_window.h"
 
-#include <fcntl.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 #include <thread>
 #include <utility>
 
@@ -22,98 +16,21 @@ namespace {
 constexpr std::chrono::seconds kNever(90);
 constexpr std::chrono::milliseconds kBetweenLooks(20);
 
-std::string contentOf(const std::filesystem::path& path) {
-    std::ostringstream content;
-    content << std::ifstream(path, std::ios::binary).rdbuf();
-    return content.str();
-}
-
-std::vector<char*> pointersTo(const std::vector<std::string>& texts) {
-    std::vector<char*> pointers;
-    for (const std::string& text : texts) pointers.push_back(const_cast<char*>(text.c_str()));
-    pointers.push_back(nullptr);
-    return pointers;
-}
-
 }  // namespace
 
-Process::Process(const std::vector<std::string>& arguments,
-                 const std::vector<std::string>& environment, const std::filesystem::path& output,
-                 int inheritedDescriptor) {
-    id_ = ::fork();
-    if (id_ != 0) return;
-    const int log = ::open(output.c_str(), O_CREAT | O_WRONLY | O_APPEND | O_CLOEXEC, 0600);
-    ::dup2(log, 1);
-    ::dup2(log, 2);
-    if (inheritedDescriptor >= 0) ::fcntl(inheritedDescriptor, F_SETFD, 0);
-    for (const std::string& variable : environment) ::putenv(const_cast<char*>(variable.c_str()));
-    ::execvp(arguments.front().c_str(), pointersTo(arguments).data());
-    ::perror(arguments.front().c_str());
-    ::_exit(127);
-}
-
-Process::~Process() {
-    if (!running()) return;
-    ::kill(id_, SIGTERM);
-    ::waitpid(id_, nullptr, 0);
-}
-
-void Process::kill() {
-    if (!running()) return;
-    ::kill(id_, SIGKILL);
-    ::waitpid(id_, nullptr, 0);
-    id_ = -1;
-}
-
-Process& Process::operator=(Process&& other) noexcept {
-    std::swap(id_, other.id_);
-    std::swap(status_, other.status_);
-    return *this;
-}
-
-bool Process::running() {
-    if (id_ <= 0) return false;
-    int status = 0;
-    if (::waitpid(id_, &status, WNOHANG) == 0) return true;
-    status_ = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    id_ = -1;
-    return false;
-}
-
-int Process::wait() {
-    const auto deadline = std::chrono::steady_clock::now() + kNever;
-    while (running() && std::chrono::steady_clock::now() < deadline) {
-        std::this_thread::sleep_for(kBetweenLooks);
-    }
-    return running() ? -1 : status_;
-}
-
 void EditorWindow::startDisplay(glm::ivec2 screenPx) {
-    // The server chooses a free number and writes it to the pipe once it is ready.
-    int pipe[2] = {-1, -1};
-    ASSERT_EQ(::pipe2(pipe, O_CLOEXEC), 0);
-    const std::string screen =
-        std::to_string(screenPx.x) + "x" + std::to_string(screenPx.y) + "x24";
-    server_ = Process({"Xvfb", "-displayfd", std::to_string(pipe[1]), "-screen", "0", screen,
-                       "+extension", "GLX", "-nolisten", "tcp", "-noreset"},
-                      {}, file("xvfb.log"), pipe[1]);
-    ::close(pipe[1]);
-    std::string number;
-    for (char digit = 0; ::read(pipe[0], &digit, 1) == 1 && digit != '\n';) number += digit;
-    ::close(pipe[0]);
-    ASSERT_FALSE(number.empty()) << "Xvfb did not start: " << contentOf(file("xvfb.log"));
-    display_ = ":" + number;
+    ASSERT_NO_FATAL_FAILURE(server_.start(screenPx, file("")));
     ASSERT_EQ(std::system("command -v xdotool >/dev/null"), 0) << "xdotool is not installed";
 }
 
 void EditorWindow::setResolution(int dotsPerInch) {
     const std::string command = "echo 'Xft.dpi: " + std::to_string(dotsPerInch) +
-                                "' | DISPLAY=" + display_ + " xrdb -merge -nocpp";
+                                "' | DISPLAY=" + display() + " xrdb -merge -nocpp";
     ASSERT_EQ(std::system(command.c_str()), 0) << command;
 }
 
 std::vector<std::string> EditorWindow::environment() const {
-    return {"DISPLAY=" + display_, "XDG_CONFIG_HOME=" + file("config").string(),
+    return {"DISPLAY=" + display(), "XDG_CONFIG_HOME=" + file("config").string(),
             "XDG_STATE_HOME=" + file("state").string(), "LIBGL_ALWAYS_SOFTWARE=1"};
 }
 
@@ -188,7 +105,7 @@ glm::ivec2 EditorWindow::centreOf(const std::string& item) {
 }
 
 void EditorWindow::xdotool(const std::string& arguments) const {
-    const std::string command = "DISPLAY=" + display_ + " xdotool " + arguments;
+    const std::string command = "DISPLAY=" + display() + " xdotool " + arguments;
     ASSERT_EQ(std::system(command.c_str()), 0) << command;
 }
 

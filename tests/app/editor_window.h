@@ -3,7 +3,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <sys/types.h>
 
 #include <filesystem>
 #include <functional>
@@ -12,28 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
 namespace voxprite::test {
-
-// A child process, killed when this goes.
-class Process {
-  public:
-    Process() = default;
-    Process(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
-            const std::filesystem::path& output, int inheritedDescriptor = -1);
-    ~Process();
-    Process(const Process&) = delete;
-    Process& operator=(Process&& other) noexcept;
-    [[nodiscard]] bool running();
-    void kill();  // without a chance to tidy up
-    // Its exit status once it has ended by itself; -1 when it crashed or had to be killed.
-    [[nodiscard]] int wait();
-
-  private:
-    pid_t id_ = -1;
-    int status_ = -1;
-};
 
 class EditorWindow : public testing::Test {
   protected:
@@ -72,7 +53,7 @@ class EditorWindow : public testing::Test {
     [[nodiscard]] std::filesystem::path file(const std::string& name) const {
         return folder_ / name;
     }
-    [[nodiscard]] const std::string& display() const { return display_; }
+    [[nodiscard]] const std::string& display() const { return server_.name(); }
     [[nodiscard]] std::string said() const;  // the program's output
     [[nodiscard]] Process& editor() { return editor_; }
 
@@ -81,9 +62,8 @@ class EditorWindow : public testing::Test {
     [[nodiscard]] std::vector<std::string> environment() const;
 
     TemporaryFolder folder_;
-    std::string display_;
     bool showsTour_ = false;
-    Process server_;
+    VirtualDisplay server_;
     Process editor_;
 };
 
