@@ -11,6 +11,7 @@
 #include "app/cli/conformance/temporal.h"
 #include "app/cli/source.h"
 #include "app/cli/text_table.h"
+#include "app/cli/trade/command.h"
 #include "core/model/entity_voxels.h"
 #include "core/svo/bake.h"
 
@@ -18,6 +19,7 @@ namespace voxprite::cli {
 namespace {
 
 struct Options {
+    trade::ReportOptions report;
     std::vector<std::string> files;
     bool conformance = false;
     bool stability = false;
@@ -204,6 +206,17 @@ Status addSnapshots(const Options& options, Report& report) {
 }
 
 Result<Report> runTrade(const Options& options) {
+    const bool figures = options.conformance || options.stability || options.temporal ||
+                         options.representations || options.snapshots;
+    if (options.report.folder.empty() && !figures)
+        throw CLI::ValidationError("--output", "is needed, or one of the figures");
+    if (!options.report.folder.empty()) {
+        if (figures) throw CLI::ValidationError("--output", "excludes the figures");
+        trade::ReportOptions report = options.report;
+        report.files = options.files;
+        report.markdown = options.markdown;
+        return trade::reportTrade(report);
+    }
     if (!options.files.empty() && !options.temporal && !options.representations &&
         !options.snapshots) {
         throw CLI::ValidationError("FILES",
@@ -248,10 +261,10 @@ void addTrade(CLI::App& app, Command& command) {
                      "Error and cost of what stands for a sprite, by size on the screen");
     figures.add_flag("--snapshots", options->snapshots,
                      "Snapshots against the exact sprite, by their views and by distance");
-    figures.require_option(1, 0);
+    trade::addReportOptions(sub, options->report);
     sub.add_option("FILES", options->files,
-                   "Models for --temporal, --representations and --snapshots (else some made for "
-                   "the purpose)");
+                   "Models: those of the report; for --temporal, --representations and --snapshots "
+                   "(else some made for the purpose)");
     sub.add_flag("--markdown", options->markdown, "Tables as Markdown");
     addJsonFlag(sub, command);
     runs(sub, command, options, runTrade);

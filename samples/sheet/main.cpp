@@ -11,12 +11,14 @@
 #include <glm/ext/vector_uint3_sized.hpp>
 #include <string>
 
+#include "app/plot/lettering.h"
 #include "core/io/png.h"
 #include "core/measure/compare.h"
-#include "samples/sheet/lettering.h"
 
 namespace voxprite::sheet {
 namespace {
+
+using plot::Lettering;
 
 constexpr int kCellPx = 384;
 constexpr int kGapPx = 16;
@@ -124,18 +126,16 @@ Status draw(const std::filesystem::path& folder, const std::filesystem::path& ou
     Image sheet(2 * kMarginPx + kRowLabelPx + columns * kCellPx + (columns - 1) * kGapPx,
                 2 * kMarginPx + kHeadPx + rows * (kCellPx + kCaptionPx) + (rows - 1) * kGapPx,
                 kBackground);
-    const Result<Lettering> regular = Lettering::fromFile(SHEET_FONT);
-    if (!regular) return Failure(regular.error());
-    const Result<Lettering> bold = Lettering::fromFile(SHEET_FONT_BOLD);
-    if (!bold) return Failure(bold.error());
+    const Lettering regular = Lettering::regular();
+    const Lettering bold = Lettering::bold();
     for (std::size_t column = 0; column < kColumns.size(); ++column) {
         const int left =
             kMarginPx + kRowLabelPx + static_cast<int>(column) * (kCellPx + kGapPx) + 4;
-        bold->draw(sheet, left, kMarginPx + 44, 26, kText, kColumns[column].title);
-        regular->draw(sheet, left, kMarginPx + 74, 16, kTextDim, kColumns[column].note);
+        bold.draw(sheet, left, kMarginPx + 44, 26, kText, kColumns[column].title);
+        regular.draw(sheet, left, kMarginPx + 74, 16, kTextDim, kColumns[column].note);
     }
     for (std::size_t row = 0; row < kRows.size(); ++row) {
-        if (Status drawn = drawRow(sheet, folder, row, *regular, *bold); !drawn) return drawn;
+        if (Status drawn = drawRow(sheet, folder, row, regular, bold); !drawn) return drawn;
     }
     return writePngFile(output, sheet);
 }

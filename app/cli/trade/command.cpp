@@ -1,0 +1,196 @@
+#include "app/cli/trade/command.h"
+
+#include <CLI/Error.hpp>
+#include <CLI/Validators.hpp>
+#include <cmath>
+
+#include "app/cli/text_table.h"
+#include "app/cli/trade/run.h"
+#include "core/io/profile_json.h"
+#include "render/gl/context.h"
+
+namespace voxprite::trade {
+namespace {
+
+std::string percent(double share) {
+    return cli::textOf(std::round(1e4 * share) / 100.0) + " %";
+}
+
+std::vector<Axis> axesOf(const std::vector<std::string>& names) {
+    if (names.empty()) return allAxes();
+    std::vector<Axis> axes{Axis::game};
+    for (const Axis axis : allAxes())
+        if (axis != Axis::game &&
+            std::find(names.begin(), names.end(), nameOf(axis)) != names.end())
+            axes.push_back(axis);
+    return axes;
+}
+
+// What a budget asks for, and what was found.
+struct Choice {
+    std::string asked;
+    std::optional<std::size_t> best;         // of all settings
+    std::optional<std::size_t> bestProfile;  // of those that a profile can say
+};
+
+Choice choose(const ReportOptions& options, const Curve& curve) {
+    Wish wish;
+    wish.yardstick =
+        options.yardstick == "perspective" ? Yardstick::perspective : Yardstick::sprite;
+    Choice choice;
+    const auto found = [&](bool profileOnly) {
+        wish.profileOnly = profileOnly;
+        return options.budgetError ? cheapestWithin(curve, *options.budgetError, wish)
+                                   : bestWithin(curve, *options.budgetMs, wish);
+    };
+    choice.asked = options.budgetError ? "an error of " + percent(*options.budgetError)
+                                       : cli::textOf(*options.budgetMs) + " ms a frame";
+    choice.best = found(false);
+    choice.bestProfile = found(true);
+    return choice;
+}
+
+cli::Json jsonOf(const Curve& curve, const std::optional<std::size_t>& at) {
+    if (!at) return nullptr;
+    const Point& point = curve.points[*at];
+    return {{"name", point.name},
+            {"setting", jsonOf(point.setting)},
+            {"ms", point.milliseconds()},
+            {"rays", point.rays()},
+            {"flip",
+             {{"sprite", point.error(Yardstick::sprite)},
+              {"perspective", point.error(Yardstick::perspective)}}}};
+}
+
+std::string sentence(const Curve& curve, const std::optional<std::size_t>& at) {
+    if (!at) return "nothing that was measured";
+    const Point& point = curve.points[*at];
+    return point.name + " (" + cli::textOf(point.milliseconds()) + " ms, " +
+           cli::textOf(std::round(point.rays())) + " rays, FLIP " +
+           percent(point.error(Yardstick::sprite)) + ")";
+}
+
+// Adds what the budget chooses to the report, and writes the profile that was asked for.
+Status addChoice(const ReportOptions& options, const TradeReport& measured, cli::Report& report) {
+    const Curve curve = combined(measured.models);
+    const Choice choice = choose(options, curve);
+    report.json["choice"] = {{"within", choice.asked},
+                             {"best", jsonOf(curve, choice.best)},
+                             {"best_of_profile", jsonOf(curve, choice.bestProfile)},
+                             {"profile", nullptr}};
+    report.text += "Within " + choice.asked + ": " + sentence(curve, choice.best) + "\n";
+    if (choice.best != choice.bestProfile)
+        report.text +=
+            "  of what a game profile can say: " + sentence(curve, choice.bestProfile) + "\n";
+    if (!options.writeProfile) return {};
+    if (!choice.bestProfile)
+        return failInFile(*options.writeProfile,
+                          "not written: no setting that was measured is within " + choice.asked);
+    const GameProfile profile =
+        profileWith(curve.profile, curve.points[*choice.bestProfile].setting);
+    if (Status written = writeProfileFile(*options.writeProfile, profile); !written) return written;
+    report.json["choice"]["profile"] = *options.writeProfile;
+    report.text += "  written: " + *options.writeProfile + "\n";
+    return {};
+}
+
+}  // namespace
+
+void addReportOptions(CLI::App& sub, ReportOptions& options) {
+    std::vector<std::string> names;
+    for (const Axis axis : allAxes())
+        if (axis != Axis::game) names.emplace_back(nameOf(axis));
+    CLI::Option_group& group = *sub.add_option_group("Report");
+    group
+        .add_option("-o,--output", options.folder,
+                    "Measure every setting of FILES and write trade.json, trade.csv, report.html "
+                    "and plots there")
+        ->type_name("DIR");
+    group.add_flag("--quick", options.quick, "Fewer settings and views: under 30 s a small model");
+    group.add_option("--seed", options.seed, "Of the views: the same seed gives the same errors");
+    group
+        .add_option("--axes", options.axes, "Only these: sigma, view_step, snapshots, levels, ...")
+        ->delimiter(',')
+        ->check(CLI::IsMember(names))
+        ->type_name("AXIS,...");
+    group.add_option("--profile", options.profile, "The game's own (else the file's values)")
+        ->type_name("FILE");
+    group
+        .add_option("--backend", options.backend, "What is timed: gl where there is OpenGL, or cpu")
+        ->check(CLI::IsMember({"auto", "cpu", "gl"}));
+    group.add_flag("--costs", options.costs,
+                   "Costs that grow, too: with model, sigma, screen and crowd");
+    group
+        .add_option("--budget-ms", options.budgetMs,
+                    "Say the most accurate setting that takes at most so long a frame")
+        ->type_name("MS");
+    group
+        .add_option("--budget-error", options.budgetError,
+                    "Say the cheapest setting whose error (FLIP, 0 ... 1) is at most that")
+        ->type_name("FLIP");
+    group.add_option("--yardstick", options.yardstick, "Of budgets: sprite or perspective")
+        ->check(CLI::IsMember({"sprite", "perspective"}));
+    group
+        .add_option("--write-profile", options.writeProfile,
+                    "Write the game profile with what the budget chose")
+        ->type_name("FILE");
+}
+
+Result<cli::Report> reportTrade(const ReportOptions& options) {
+    const bool budget = options.budgetMs || options.budgetError;
+    if (options.files.empty() && !options.costs)
+        throw CLI::ValidationError("FILES", "are needed: which models to measure");
+    if (options.budgetMs && options.budgetError)
+        throw CLI::ValidationError("--budget-ms", "excludes --budget-error");
+    if (budget && options.files.empty())
+        throw CLI::ValidationError("FILES", "are needed for a budget");
+    for (const std::optional<double>& value : {options.budgetMs, options.budgetError})
+        if (value && !(std::isfinite(*value) && *value >= 0.0))
+            throw CLI::ValidationError("the budget", "must be 0 or more");
+    if (options.writeProfile && !budget)
+        throw CLI::ValidationError("--write-profile", "needs --budget-ms or --budget-error");
+
+    RunOptions run;
+    run.files = options.files;
+    run.profile = options.profile;
+    run.axes = axesOf(options.axes);
+    run.quick = options.quick;
+    run.growth = options.costs;
+    run.seed = options.seed;
+    run.gl = options.backend != "cpu";
+    const Result<TradeReport> measured = runTrade(run);
+    if (!measured) return Failure(measured.error());
+    if (options.backend == "gl" && measured->backend != "gl")
+        return fail("OpenGL is not there to be measured");
+
+    cli::Report report;
+    const Result<std::vector<std::string>> files = writeReport(*measured, options.folder);
+    if (!files) return Failure(files.error());
+    int done = 0, wanted = 0;
+    for (const ModelReport& model : measured->models) {
+        done += model.measured();
+        wanted += model.settings;
+    }
+    report.json = {{"finished", measured->finished},
+                   {"settings", done},
+                   {"backend", measured->backend},
+                   {"commit", measured->commit},
+                   {"files", *files}};
+    if (options.markdown) report.text = frontTable(*measured) + "\n" + growthTable(*measured);
+    for (const std::string& file : *files)
+        if (!options.markdown) report.text += file + "\n";
+    if (!measured->finished) {
+        report.failure =
+            failInFile(options.folder, "stopped: the report holds the " + std::to_string(done) +
+                                           " settings that were measured until then")
+                .value();
+        return report;
+    }
+    if (budget) {
+        if (Status chosen = addChoice(options, *measured, report); !chosen)
+            report.failure = chosen.error();
+    }
+    return report;
+}
+
+}  // namespace voxprite::trade

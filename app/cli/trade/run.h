@@ -1,0 +1,30 @@
+// Runs `voxprite trade FILES -o DIR`: every setting of every model, then the costs that grow.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/trade/report.h"
+
+namespace voxprite::trade {
+
+struct RunOptions {
+    std::vector<std::string> files;
+    std::optional<std::string> profile;  // else what each file was authored with
+    std::vector<Axis> axes = allAxes();
+    bool quick = false;
+    bool growth = false;
+    bool gl = true;  // where there is OpenGL; else the processor
+    std::uint64_t seed = 1;
+};
+
+// Says on stderr how far it is and what time is left. Ctrl+C ends it early: what was done comes
+// back, and `finished` is false.
+[[nodiscard]] Result<TradeReport> runTrade(const RunOptions& options);
+
+// All models' points as one curve, so that a choice holds for a whole game: the settings that all
+// of them have, the errors and costs being means over models and sizes.
+[[nodiscard]] Curve combined(const std::vector<ModelReport>& models);
+
+}  // namespace voxprite::trade
