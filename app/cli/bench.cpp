@@ -7,8 +7,11 @@
 #include <sstream>
 
 #include "app/cli/bench/cluster_frames.h"
+#include "app/cli/bench/ratios.h"
 #include "app/cli/bench/tables.h"
 #include "app/cli/command.h"
+#include "commit.h"
+#include "core/base/file.h"
 #include "render/gl/context.h"
 
 namespace voxprite::cli {
@@ -22,7 +25,31 @@ struct Options {
     bool quick = false;
     bool markdown = false;
     std::optional<std::string> corpus;
+    std::optional<std::string> against, keep;  // files of kept figures
 };
+
+Result<Json> readKept(const std::string& file) {
+    const Result<std::string> text = readTextFile(file);
+    if (!text) return Failure(text.error());
+    Json kept = Json::parse(*text, nullptr, false);
+    if (kept.is_discarded() || !kept.is_object() || kept.value("voxprite_figures", Json()) != 1)
+        return failInFile(file, "no figures of voxprite bench (--keep writes them)");
+    return kept;
+}
+
+// Ratios to what was kept and to the rivals, and what is to be kept of this run.
+Status addRatios(const Options& options, const std::optional<Json>& kept, Report& report) {
+    const Json run = report.json;
+    if (kept) {
+        const std::vector<bench::Ratio> ratios = bench::ratiosOf(run, *kept);
+        const TableStyle style = options.markdown ? TableStyle::markdown : TableStyle::plain;
+        report.text += "\n" + bench::ratioTable(ratios, *kept, style);
+        report.json["ratios"] = bench::jsonOf(ratios);
+    }
+    if (!options.keep) return {};
+    return writeFileAtomically(*options.keep,
+                               bench::keptFigures(run, VOXPRITE_COMMIT).dump(1) + "\n");
+}
 
 std::filesystem::path corpusOf(const Options& options) {
     if (options.corpus) return *options.corpus;
@@ -57,6 +84,12 @@ Result<Report> runBench(const Options& options) {
     const auto wanted = [&](const char* part) {
         return options.only.empty() || std::count(options.only.begin(), options.only.end(), part);
     };
+    std::optional<Json> kept;
+    if (options.against) {
+        Result<Json> read = readKept(*options.against);
+        if (!read) return Failure(read.error());
+        kept = std::move(*read);
+    }
     const bench::Effort effort{options.quick};
     const Result<std::vector<bench::BenchModel>> models =
         bench::benchModels(options.quick, corpusOf(options));
@@ -94,6 +127,7 @@ Result<Report> runBench(const Options& options) {
         report.text += bench::clusterTables(report.json["clusters"]) + "\n" +
                        bench::clusterFrameTable(report.json["clusters"]);
     if (report.text.empty()) report.text = describe(report.json);
+    if (Status added = addRatios(options, kept, report); !added) return Failure(added.error());
     return report;
 }
 
@@ -115,6 +149,11 @@ void addBench(CLI::App& app, Command& command) {
         ->type_name("DIR");
     sub.add_flag("--markdown", options->markdown,
                  "Rays, frames, shade and clusters as tables in Markdown");
+    sub.add_option("--against", options->against,
+                   "Print ratios to the figures kept there, and to the rivals of this run")
+        ->type_name("FILE");
+    sub.add_option("--keep", options->keep, "Keep this run's figures there, for --against")
+        ->type_name("FILE");
     addJsonFlag(sub, command);
     runs(sub, command, options, runBench);
 }

@@ -2,12 +2,12 @@
 
 #include <CLI/Error.hpp>
 #include <CLI/Validators.hpp>
+#include <algorithm>
 #include <cmath>
 
 #include "app/cli/text_table.h"
 #include "app/cli/trade/run.h"
 #include "core/io/profile_json.h"
-#include "render/gl/context.h"
 
 namespace voxprite::trade {
 namespace {
@@ -66,7 +66,7 @@ std::string sentence(const Curve& curve, const std::optional<std::size_t>& at) {
     if (!at) return "nothing that was measured";
     const Point& point = curve.points[*at];
     return point.name + " (" + cli::textOf(point.milliseconds()) + " ms, " +
-           cli::textOf(std::round(point.rays())) + " rays, FLIP " +
+           std::to_string(std::llround(point.rays())) + " rays, FLIP " +
            percent(point.error(Yardstick::sprite)) + ")";
 }
 

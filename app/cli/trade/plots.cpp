@@ -42,8 +42,8 @@ std::string percent(double share) {
 
 std::string tipOf(const Point& point, Yardstick yardstick) {
     return point.name + ": FLIP " + percent(point.error(yardstick)) + ", " +
-           cli::textOf(point.milliseconds()) + " ms, " + cli::textOf(std::round(point.rays())) +
-           " rays a frame";
+           cli::textOf(point.milliseconds()) + " ms, " +
+           std::to_string(std::llround(point.rays())) + " rays a frame";
 }
 
 Series seriesOf(Axis axis, const std::string& name) {
@@ -145,8 +145,9 @@ NamedPlot sigmaPlot(const Curve& curve, const std::string& prefix) {
 
 NamedPlot stepPlot(const Curve& curve, const std::string& prefix) {
     NamedPlot named{prefix + "-step",
-                    "Snapped views: the wider the step, the farther off the true view, and the "
-                    "fewer pixels change while the camera turns.",
+                    "Snapped views: the wider the step, the farther off the true view. While the "
+                    "camera turns pixels change less often, but more of them at once; over a few "
+                    "steps that is about as many a degree.",
                     {}};
     named.plot.title = "View step";
     named.plot.x = {"degrees between the views shown", false, true};
@@ -203,7 +204,8 @@ std::vector<NamedPlot> plotsOf(const ModelReport& model, const std::string& pref
                               "What the style leaves out: " + curve.model,
                               "The same settings against the voxels themselves, a ray through each "
                               "screen pixel. Outline, grid and parallel rays are the style: no "
-                              "setting comes to 0."));
+                              "sprite comes to 0. Clusters do nearly: they are no sprites, but the "
+                              "voxels in perspective."));
     plots.push_back(sigmaPlot(curve, prefix));
     plots.push_back(stepPlot(curve, prefix));
     plots.push_back(snapshotPlot(curve, prefix));

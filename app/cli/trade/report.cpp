@@ -60,7 +60,8 @@ std::string growthTable(const TradeReport& report) {
             {growth.title + ", " + growth.unit, cli::textOf(first.size), cli::textOf(last.size),
              rounded(first.milliseconds.median) + " ... " + rounded(last.milliseconds.median),
              exponentText(growth, millisecondsOf),
-             cli::textOf(first.rays) + " ... " + cli::textOf(last.rays),
+             std::to_string(std::llround(first.rays)) + " ... " +
+                 std::to_string(std::llround(last.rays)),
              exponentText(growth, raysOf),
              rounded(first.bytes / 1048576.0) + " ... " + rounded(last.bytes / 1048576.0),
              exponentText(growth, bytesOf)});
@@ -84,7 +85,7 @@ std::string frontTable(const TradeReport& report) {
                 bytes += at.costs->bytes / sizes;
             }
             rows.push_back({model.curve.model, point.name, rounded(point.milliseconds()),
-                            cli::textOf(std::round(point.rays())),
+                            std::to_string(std::llround(point.rays())),
                             rounded(100.0 * point.error(Yardstick::sprite)) + " %",
                             known ? rounded(100.0 * voxels) + " %" : "",
                             rounded(100.0 * silhouette) + " %", rounded(bytes / 1048576.0)});

@@ -22,6 +22,7 @@ struct ModelReport {
     glm::ivec3 size{0};
     std::uint64_t voxels = 0;
     std::uint64_t octreeBytes = 0;
+    Plan plan;
     Curve curve;
     std::optional<Curve> light;
     int settings = 0;  // that were to be measured, in both
@@ -57,7 +58,6 @@ struct TradeReport {
     Json machine;  // of bench: cpu, cores, simd; with gl, or null
     std::string commit;
     std::string backend;
-    Plan plan;  // its profile is a model's own
     std::vector<ModelReport> models;
     std::vector<Growth> growth;
     bool finished = true;
@@ -66,8 +66,8 @@ struct TradeReport {
 // The schema of trade.json. Version 1:
 //   {"schema": "voxprite-trade", "version": 1, "finished": bool,
 //    "program": {"version", "commit"}, "machine": {"cpu", "cores", "simd", "gl"}, "backend",
-//    "plan": {"seed", "views", "sizes_px", "frames", "degrees_a_frame", "flip_pixels_a_degree"},
 //    "models": [{"name", "file", "size", "voxels", "octree_bytes", "settings", "profile": {...},
+//       "plan": {"seed", "views", "sizes_px", "frames", "degrees_a_frame", "flip_pixels_a_degree"},
 //       "points": [{"series": "game" or "light", "axis", "name", "setting": {...},
 //          "flip": {"sprite", "perspective"}, "ms", "rays",        means over the sizes
 //          "front": {"sprite", "perspective"},                     on the Pareto front?

@@ -69,6 +69,13 @@ std::string percent(const std::optional<double>& share) {
 std::string number(double value) {
     return std::isfinite(value) ? cli::textOf(value) : "–";
 }
+// 36 440
+std::string whole(double value) {
+    if (!std::isfinite(value)) return "–";
+    std::string digits = std::to_string(std::llround(value));
+    for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, "\u202f");
+    return digits;
+}
 std::string mebibytes(double bytes) {
     return cli::textOf(std::round(bytes / 1048576.0 * 100.0) / 100.0);
 }
@@ -110,30 +117,30 @@ std::string pointRow(const Point& point, bool best, const std::string& backend) 
     using Maybe = std::optional<double>;
     const std::string& by =
         point.bySize.front().costs ? point.bySize.front().costs->backend : backend;
-    return row({(best ? "● " : "") + escaped(point.name) +
-                    (by == backend ? "" : " <span class=\"dim\">(" + by + ")</span>"),
-                millisecondsText(point), number(std::round(point.rays())),
-                percent(point.error(Yardstick::sprite)),
-                percent(of([](const AtSize& at) { return Maybe(at.sprite.flipWorst); })),
-                percent(of([](const AtSize& at) { return Maybe(at.sprite.mismatch); })),
-                percent(of([](const AtSize& at) { return at.sprite.voxels; })),
-                percent(of([](const AtSize& at) { return Maybe(at.sprite.silhouette); })),
-                percent(of([](const AtSize& at) { return Maybe(at.sprite.boundaryIou); })),
-                percent(of([](const AtSize& at) { return at.sprite.outlineKept; })),
-                percent(of([](const AtSize& at) { return at.sprite.outlineTrue; })),
-                percent(point.error(Yardstick::perspective)), percent(of([](const AtSize& at) {
-                    return at.numbers ? Maybe(at.numbers->voxels) : Maybe();
-                })),
-                percent(of([](const AtSize& at) { return Maybe(at.time.changedADegree); })),
-                percent(of([](const AtSize& at) { return Maybe(at.time.flipsADegree); })),
-                percent(of([](const AtSize& at) { return Maybe(at.time.crawlADegree); })),
-                mebibytes(of([](const AtSize& at) {
-                              return at.costs ? Maybe(at.costs->bytes) : Maybe();
-                          }).value_or(0.0)),
-                number(of([](const AtSize& at) {
-                           return at.costs ? Maybe(at.costs->prepareMilliseconds) : Maybe();
-                       }).value_or(0.0))},
-               "td", best);
+    return row(
+        {(best ? "● " : "") + escaped(point.name) +
+             (by == backend ? "" : " <span class=\"dim\">(" + by + ")</span>"),
+         millisecondsText(point), whole(point.rays()), percent(point.error(Yardstick::sprite)),
+         percent(of([](const AtSize& at) { return Maybe(at.sprite.flipWorst); })),
+         percent(of([](const AtSize& at) { return Maybe(at.sprite.mismatch); })),
+         percent(of([](const AtSize& at) { return at.sprite.voxels; })),
+         percent(of([](const AtSize& at) { return Maybe(at.sprite.silhouette); })),
+         percent(of([](const AtSize& at) { return Maybe(at.sprite.boundaryIou); })),
+         percent(of([](const AtSize& at) { return at.sprite.outlineKept; })),
+         percent(of([](const AtSize& at) { return at.sprite.outlineTrue; })),
+         percent(point.error(Yardstick::perspective)), percent(of([](const AtSize& at) {
+             return at.numbers ? Maybe(at.numbers->voxels) : Maybe();
+         })),
+         percent(of([](const AtSize& at) { return Maybe(at.time.changedADegree); })),
+         percent(of([](const AtSize& at) { return Maybe(at.time.flipsADegree); })),
+         percent(of([](const AtSize& at) { return Maybe(at.time.crawlADegree); })),
+         mebibytes(of([](const AtSize& at) {
+                       return at.costs ? Maybe(at.costs->bytes) : Maybe();
+                   }).value_or(0.0)),
+         number(of([](const AtSize& at) {
+                    return at.costs ? Maybe(at.costs->prepareMilliseconds) : Maybe();
+                }).value_or(0.0))},
+        "td", best);
 }
 
 std::string pointTable(const Curve& curve) {
@@ -159,8 +166,8 @@ std::string inShort(const Curve& curve) {
         if (point.axis == Axis::game) game = &point;
     if (game != nullptr)
         say("The game's own setting takes " + number(game->milliseconds()) + " ms a frame, " +
-            number(std::round(game->rays())) + " rays, and is " +
-            percent(game->error(Yardstick::sprite)) + " (FLIP) off the exact sprite.");
+            whole(game->rays()) + " rays, and is " + percent(game->error(Yardstick::sprite)) +
+            " (FLIP) off the exact sprite.");
     for (const double budget : {0.02, 0.05, 0.1, 0.2}) {
         const std::optional<std::size_t> best = cheapestWithin(curve, budget);
         if (!best) continue;
@@ -206,12 +213,19 @@ std::string growthSection(const TradeReport& report) {
         out +=
             row({escaped(growth.title), range(first.size, last.size) + " " + escaped(growth.unit),
                  escaped(growth.what), range(first.milliseconds.median, last.milliseconds.median),
-                 exponent(growth, millisecondsOf), range(first.rays, last.rays),
+                 exponent(growth, millisecondsOf), whole(first.rays) + " – " + whole(last.rays),
                  exponent(growth, raysOf), mebibytes(first.bytes) + " – " + mebibytes(last.bytes),
                  exponent(growth, bytesOf)},
                 "td");
     }
     return out + "</table></div>\n" + figuresOf(plotsOf(report.growth));
+}
+
+std::string sizesText(const Plan& plan) {
+    std::string sizes;
+    for (const double size : plan.sizesPx)
+        sizes += (sizes.empty() ? "" : " and ") + cli::textOf(2.0 * size);
+    return sizes;
 }
 
 std::string headOf(const TradeReport& report) {
@@ -225,18 +239,16 @@ std::string headOf(const TradeReport& report) {
                       escaped(text("cpu")) + ", " +
                       std::to_string(report.machine.value("cores", 0)) + " cores, " +
                       escaped(text("simd")) + " · OpenGL: " + escaped(text("gl")) + "</p>\n";
-    std::string sizes;
-    for (const double size : report.plan.sizesPx)
-        sizes += (sizes.empty() ? "" : ", ") + cli::textOf(2.0 * size);
-    out += "<p class=\"dim\">Each setting is looked at from " + std::to_string(report.plan.views) +
-           " seeded views (seed " + std::to_string(report.plan.seed) + ") with the model " + sizes +
-           " screen pixels wide, and timed over a camera's way of " +
-           std::to_string(report.plan.frames) +
-           " frames, warm and repeated; what was cast stays. "
-           "Errors are FLIP at " +
-           cli::textOf(report.plan.flipPixelsPerDegree) +
-           " pixels a degree over what the model covers. Errors, rays and MiB are the same on "
-           "every run and by both backends; milliseconds are this machine's.</p>\n";
+    if (!report.models.empty()) {
+        const Plan& plan = report.models.front().plan;
+        out += "<p class=\"dim\">Each setting is looked at from " + std::to_string(plan.views) +
+               " seeded views (seed " + std::to_string(plan.seed) +
+               ") and timed over a camera's way of " + std::to_string(plan.frames) +
+               " frames, warm and repeated; what was cast stays. Errors are FLIP at " +
+               cli::textOf(plan.flipPixelsPerDegree) +
+               " pixels a degree over what the model covers. Errors, rays and MiB are the same on "
+               "every run and by both backends; milliseconds are this machine's.</p>\n";
+    }
     if (!report.finished)
         out += "<p class=\"warn\">Stopped before all was measured: what was done is shown.</p>\n";
     return out;
@@ -252,11 +264,11 @@ std::string htmlOf(const TradeReport& report) {
         if (model.curve.points.empty()) continue;
         page += "<h2>" + escaped(model.curve.model) + "</h2>\n<p class=\"dim\">" +
                 std::to_string(model.size.x) + " × " + std::to_string(model.size.y) + " × " +
-                std::to_string(model.size.z) + ", " + std::to_string(model.voxels) +
+                std::to_string(model.size.z) + ", " + whole(static_cast<double>(model.voxels)) +
                 " voxels, octree " + mebibytes(static_cast<double>(model.octreeBytes)) +
-                " MiB; sigma " + cli::textOf(model.curve.profile.sigma) + ", " +
-                std::to_string(model.measured()) + " of " + std::to_string(model.settings) +
-                " settings</p>\n";
+                " MiB; sigma " + cli::textOf(model.curve.profile.sigma) + "; shown " +
+                sizesText(model.plan) + " pixels wide; " + std::to_string(model.measured()) +
+                " of " + std::to_string(model.settings) + " settings</p>\n";
         page +=
             inShort(model.curve) + figuresOf(plotsOf(model, names[k])) + pointTable(model.curve);
         if (model.light && !model.light->points.empty())

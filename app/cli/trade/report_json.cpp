@@ -106,6 +106,13 @@ Json jsonOf(const ModelReport& model) {
             {"octree_bytes", model.octreeBytes},
             {"settings", model.settings},
             {"profile", Json::parse(writeProfile(model.curve.profile))},
+            {"plan",
+             {{"seed", model.plan.seed},
+              {"views", model.plan.views},
+              {"sizes_px", model.plan.sizesPx},
+              {"frames", model.plan.frames},
+              {"degrees_a_frame", model.plan.degreesAFrame},
+              {"flip_pixels_a_degree", model.plan.flipPixelsPerDegree}}},
             {"points", std::move(points)}};
 }
 
@@ -158,13 +165,6 @@ Json jsonOf(const TradeReport& report) {
             {"program", {{"version", VOXPRITE_VERSION}, {"commit", report.commit}}},
             {"machine", report.machine},
             {"backend", report.backend},
-            {"plan",
-             {{"seed", report.plan.seed},
-              {"views", report.plan.views},
-              {"sizes_px", report.plan.sizesPx},
-              {"frames", report.plan.frames},
-              {"degrees_a_frame", report.plan.degreesAFrame},
-              {"flip_pixels_a_degree", report.plan.flipPixelsPerDegree}}},
             {"models", std::move(models)},
             {"growth", std::move(growth)}};
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -147,18 +148,30 @@ Result<Subject> subjectOf(const std::string& file, const RunOptions& options, bo
     return subject;
 }
 
-Plan planOf(const RunOptions& options, const GameProfile& profile) {
+// Sizes by the model: as large as lets a virtual pixel of the game's own sigma cover a good screen
+// pixel, where sigma counts; and a third of that.
+std::vector<double> sizesOf(const std::shared_ptr<const Model>& model, const GameProfile& profile,
+                            bool quick) {
+    const double radius =
+        ModelParts(model, profile).placed().radiusMetres() / profile.voxelSizeMetres;
+    const double near =
+        std::round(std::clamp(1.25 * profile.sigma * radius, 32.0, quick ? 112.0 : 200.0));
+    if (quick) return {near};
+    return {std::round(near / 3.0), near};
+}
+
+Plan planOf(const RunOptions& options, const std::shared_ptr<const Model>& model,
+            const GameProfile& profile) {
     Plan plan;
     plan.profile = profile;
+    plan.sizesPx = sizesOf(model, profile, options.quick);
     plan.seed = options.seed;
     plan.threads = 0;
     if (!options.quick) return plan;
-    plan.sizesPx = {64};
     plan.views = 2;
-    plan.frames = 8;
+    plan.frames = 6;
     plan.degreesAFrame = 1.5;
-    plan.leastRepeats = 2;
-    plan.repeatMilliseconds = 60.0;
+    plan.repeatMilliseconds = 0.0;
     plan.idealSamples = 1000;
     return plan;
 }
@@ -191,10 +204,13 @@ Status measureModel(const Subject& subject, const RunOptions& options, GlStage* 
     out.voxels = solidCount(octree);
     out.octreeBytes = bytesOf(octree);
     out.settings = subject.count();
-    Status measured = measureCurve(subject, subject.settings, planOf(options, subject.profile),
-                                   stage, line, out.curve);
+    out.plan = planOf(options, subject.model, subject.profile);
+    Status measured =
+        measureCurve(subject, subject.settings, planOf(options, subject.model, subject.profile),
+                     stage, line, out.curve);
     if (!measured || subject.lightSettings.empty() || line.stopped()) return measured;
-    return measureCurve(subject, subject.lightSettings, planOf(options, subject.lit()), stage, line,
+    return measureCurve(subject, subject.lightSettings,
+                        planOf(options, subject.model, subject.lit()), stage, line,
                         out.light.emplace());
 }
 
@@ -208,7 +224,6 @@ Result<TradeReport> runTrade(const RunOptions& options) {
     report.commit = VOXPRITE_COMMIT;
     report.machine = bench::machine();
     report.machine["gl"] = nullptr;
-    report.plan = planOf(options, GameProfile{});
 
     std::optional<gl::HeadlessContext> context;
     std::optional<GlStage> stage;
