@@ -6,6 +6,7 @@
 #include <atomic>
 #include <bit>
 #include <string>
+#include <utility>
 
 namespace voxprite {
 
@@ -54,17 +55,26 @@ void uploadRun(std::uint32_t texture, std::uint32_t first, std::uint32_t count,
     }
 }
 
+void copyRows(const gl::Texture& from, std::uint32_t fromRow, const gl::Texture& to,
+              std::uint32_t toRow, std::uint32_t rows) {
+    glCopyImageSubData(from.id(), GL_TEXTURE_2D, 0, 0, static_cast<GLint>(fromRow), 0, to.id(),
+                       GL_TEXTURE_2D, 0, 0, static_cast<GLint>(toRow), 0, kWidth,
+                       static_cast<GLsizei>(rows), 1);
+}
+
 }  // namespace
 
 GpuOctree::GpuOctree() = default;
 
 bool GpuOctree::makeRoom(const OctreeView& octree) {
+    const gl::Texture before = std::move(texture_);
+    const std::uint32_t nodesBefore = nodeCapacity_;
+    const std::uint32_t rowsBefore = static_cast<std::uint32_t>(rows_);
     GLint most = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
     const std::size_t nodes = wholeRows(roomy(octree.nodes.size()));
     const std::size_t payloads = wholeRows(roomy(2 * octree.payloads.size()));
     const std::size_t rows = (nodes + payloads) / kWidth;
-    texture_.reset();
     revision_ = nextRevision();
     status_ = {};
     if (rows > static_cast<std::size_t>(most)) {
@@ -82,13 +92,28 @@ bool GpuOctree::makeRoom(const OctreeView& octree) {
     glTextureStorage2D(texture_.id(), 1, GL_R32UI, static_cast<GLsizei>(kWidth), rows_);
     glTextureParameteri(texture_.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    if (before) {
+        // What was there comes along without leaving the GPU.
+        const std::uint32_t nodeRows = nodesBefore / kWidth;
+        const std::uint32_t payloadRows = rowsBefore - nodeRows;
+        const std::uint32_t offsetRows = payloadOffset_ / kWidth;
+        copyRows(before, 0, texture_, 0, std::min(nodeRows, offsetRows));
+        copyRows(before, nodeRows, texture_, offsetRows,
+                 std::min(payloadRows, static_cast<std::uint32_t>(rows_) - offsetRows));
+    }
     return true;
 }
 
+bool GpuOctree::hasRoom(const OctreeView& octree) const {
+    return texture_ && octree.nodes.size() <= nodeCapacity_ &&
+           octree.payloads.size() <= payloadCapacity_;
+}
+
 void GpuOctree::upload(const OctreeView& octree) {
-    const bool roomLeft = texture_ && octree.nodes.size() <= nodeCapacity_ &&
-                          octree.payloads.size() <= payloadCapacity_;
-    if (!roomLeft && !makeRoom(octree)) return;
+    if (!hasRoom(octree)) {
+        texture_.reset();
+        if (!makeRoom(octree)) return;
+    }
     OctreeChanges all;
     all.nodes.push_back({0, static_cast<std::uint32_t>(octree.nodes.size())});
     all.payloads.push_back({0, static_cast<std::uint32_t>(octree.payloads.size())});
@@ -96,12 +121,11 @@ void GpuOctree::upload(const OctreeView& octree) {
 }
 
 void GpuOctree::update(const OctreeView& octree, const OctreeChanges& changes) {
-    if (changes.everything || !texture_ || octree.nodes.size() > nodeCapacity_ ||
-        octree.payloads.size() > payloadCapacity_) {
+    if (changes.everything || !texture_) {
         upload(octree);
-        return;
+    } else if (hasRoom(octree) || makeRoom(octree)) {
+        uploadRuns(octree, changes);
     }
-    uploadRuns(octree, changes);
 }
 
 void GpuOctree::uploadRuns(const OctreeView& octree, const OctreeChanges& changes) {

@@ -1,102 +1,172 @@
 #include "core/svo/bake.h"
 
-#include <bit>
-#include <cstring>
+#include <atomic>
+#include <utility>
+#include <vector>
 
+#include "core/base/parallel.h"
+#include "core/svo/bake_on_threads.h"
+#include "core/svo/region_baker.h"
 #include "core/svo/tree_builder.h"
 
 namespace voxprite {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "rows of voxels are read as words");
-
-// A block of the grid in tree space.
-struct Source {
-    IBox box;                              // what of the block lies within the bounds
-    glm::ivec3 origin{0};                  // of voxels[0]
-    const std::uint8_t* voxels = nullptr;  // null: uniform
-    std::uint8_t value = 0;
-};
+constexpr int kRegionEdge = RegionBaker::kEdge;
+// Below this many blocks of the grid, waking other threads costs more than they save.
+constexpr std::size_t kBlocksForThreads = 512;
+// So that one thread's long run does not keep the others waiting.
+constexpr std::size_t kRunsAThread = 4;
 
 std::int64_t volume(const IBox& box) {
     const glm::ivec3 size = box.size();
     return std::int64_t{size.x} * size.y * size.z;
 }
 
-// Eight voxels along z at (x, y) of a dense block, the lowest z in the lowest byte.
-std::uint64_t loadRow(const std::uint8_t* voxels, int x, int y) {
-    std::uint64_t row = 0;
-    std::memcpy(&row, voxels + ((x << 6) | (y << 3)), sizeof row);
-    return row;
-}
-
-// The one value of a dense block, or -1.
-int uniformValueOf(const std::uint8_t* voxels) {
-    const std::uint64_t first = uniformPayload(voxels[0]);
-    for (int row = 0; row < 64; ++row) {
-        if (loadRow(voxels, row >> 3, row & 7) != first) return -1;
-    }
-    return voxels[0];
-}
-
-// Goes down from the root with the blocks that touch each cube; a cube of eight voxels is gathered
-// into rows and cut into bricks. Blocks need not be aligned to the cubes: those across a border go
-// to both sides.
+// Goes down from the root with the grid's regions that touch each cube. They need not be aligned to
+// the cubes: those across a border go to both sides. Cubes of kRegionEdge are each a RegionBaker's,
+// and those that follow one another may be baked by different threads.
 class Baker {
   public:
     Baker(const VoxelGrid& voxels, const IBox& bounds)
         : bounds_(bounds), builder_(depthForSize(bounds.size())) {
-        voxels.forEachBlock([this](const VoxelBlock& block) { add(block); });
+        voxels.forEachBlock([this](const VoxelBlock& block) { blocks_.push_back(block); });
+        // Those of one region come one after another.
+        std::size_t first = 0;
+        while (first < blocks_.size()) {
+            const VoxelBlock& head = blocks_[first];
+            std::size_t last = first + 1;
+            if (head.edgeVoxels >= kRegionEdge) {
+                addSource({head.origin, head.edgeVoxels, head.uniformValue, {}});
+            } else {
+                while (last < blocks_.size() && isInRegionOf(head, blocks_[last])) ++last;
+                addSource({regionOf(head), kRegionEdge, 0,
+                           std::span(blocks_).subspan(first, last - first)});
+            }
+            first = last;
+        }
     }
 
-    Result<Octree> run() {
-        for (std::uint32_t i = 0; i < sources_.size(); ++i) pending_.push_back(i);
-        return builder_.finish(cube(0, glm::ivec3(0), 0), bounds_.size(), bounds_.min);
+    Result<Octree> run(int threads) {
+        const bool small = threads <= 0 && blocks_.size() < kBlocksForThreads;
+        if (small || threads == 1 || builder_.maxDepth() < 7) {
+            RegionBaker regions(bounds_, builder_);
+            builder_.reserve(blocks_.size());
+            const std::uint32_t root = cube(builder_, 0, glm::ivec3(0), 0, [&](const Job& job) {
+                return regions.bake(job.min, job.sources);
+            });
+            return builder_.finish(root, bounds_.size(), bounds_.min);
+        }
+        return runOnThreads(threads);
     }
 
   private:
-    void add(const VoxelBlock& block) {
-        const IBox inside =
-            bounds_.intersected({block.origin, block.origin + glm::ivec3(block.edgeVoxels)});
-        if (inside.empty()) return;
-        Source source;
-        source.box = {inside.min - bounds_.min, inside.max - bounds_.min};
-        source.origin = block.origin - bounds_.min;
-        source.value = block.uniformValue;
-        if (block.voxels != nullptr) {
-            const int value = uniformValueOf(block.voxels);
-            if (value == 0) return;
-            if (value > 0) source.value = static_cast<std::uint8_t>(value);
-            if (value < 0) source.voxels = block.voxels;
+    [[nodiscard]] static glm::ivec3 regionOf(const VoxelBlock& block) {
+        return block.origin & ~(kRegionEdge - 1);
+    }
+    [[nodiscard]] static bool isInRegionOf(const VoxelBlock& head, const VoxelBlock& block) {
+        return block.edgeVoxels < kRegionEdge && regionOf(block) == regionOf(head);
+    }
+    void addSource(const VoxelRegion& region) {
+        const IBox box = bounds_.intersected({region.origin, region.origin + region.edgeVoxels});
+        if (!box.empty()) {
+            pending_.push_back({{box.min - bounds_.min, box.max - bounds_.min}, region});
         }
-        sources_.push_back(source);
     }
 
-    // pending_[first, end) are the sources that touch the cube.
-    [[nodiscard]] std::uint32_t cube(int depth, glm::ivec3 min, std::size_t first) {
+    // A region of the grid, and what of it lies within the bounds, in tree space.
+    struct Source {
+        IBox box;
+        VoxelRegion region;
+    };
+    // A cube of kRegionEdge voxels (or the whole tree, if that is smaller).
+    struct Job {
+        glm::ivec3 min;
+        std::vector<VoxelRegion> sources;
+    };
+
+    Result<Octree> runOnThreads(int threads) {
+        // Which cubes there are is found out by going down once for nothing.
+        std::vector<Job> jobs;
+        TreeBuilder sketch(builder_.maxDepth());
+        static_cast<void>(cube(sketch, 0, glm::ivec3(0), 0, [&](Job job) {
+            jobs.push_back(std::move(job));
+            return node::brick(0);
+        }));
+        if (sketch.full()) return sketch.finish(0, bounds_.size(), bounds_.min);
+
+        // Runs of cubes of about as many blocks.
+        const auto workers = static_cast<std::size_t>(threads > 0 ? threads : hardwareThreads());
+        const std::size_t blocksARun = blocks_.size() / (workers * kRunsAThread) + 1;
+        std::vector<std::size_t> runs{0};
+        std::vector<std::size_t> blocksOfRuns;
+        std::size_t blocks = 0;
+        for (std::size_t k = 0; k < jobs.size(); ++k) {
+            for (const VoxelRegion& source : jobs[k].sources) blocks += source.blocks.size();
+            if (blocks < blocksARun && k + 1 < jobs.size()) continue;
+            runs.push_back(k + 1);
+            blocksOfRuns.push_back(std::exchange(blocks, 0U));
+        }
+
+        std::vector<TreeBuilder> parts(runs.size() - 1, TreeBuilder(builder_.maxDepth()));
+        std::vector<std::uint32_t> words(jobs.size());
+        std::atomic<std::uint64_t> nodes{0};
+        parallelFor(static_cast<int>(parts.size()), threads, [&](int first, int last) {
+            for (auto part = static_cast<std::size_t>(first); part < static_cast<std::size_t>(last);
+                 ++part) {
+                RegionBaker regions(bounds_, parts[part]);
+                parts[part].reserve(blocksOfRuns[part]);
+                for (std::size_t k = runs[part]; k < runs[part + 1]; ++k) {
+                    if (nodes > kMaxOctreeNodes) return;  // finish() says so
+                    const std::uint64_t before = parts[part].nodeCount();
+                    words[k] = regions.bake(jobs[k].min, jobs[k].sources);
+                    nodes += parts[part].nodeCount() - before;
+                }
+            }
+        });
+
+        // Now the nodes above them; their children come after those of the parts before.
+        const int childDepth = builder_.maxDepth() - 5;
+        std::size_t next = 0, part = 0;
+        std::uint32_t childrenBefore = 0;
+        const std::uint32_t root = cube(builder_, 0, glm::ivec3(0), 0, [&](const Job&) {
+            while (next == runs[part + 1]) {
+                childrenBefore += static_cast<std::uint32_t>(parts[part++].nodesAt(childDepth));
+            }
+            const std::uint32_t word = words[next++];
+            return node::isInternal(word) ? word + (childrenBefore << 8) : word;
+        });
+        return builder_.finish(root, bounds_.size(), bounds_.min, parts, threads);
+    }
+
+    // The word of a cube at `min`; pending_[first, end) are the sources that touch it. Those of
+    // kRegionEdge that are not of one material are bakeRegion's.
+    template <class BakeRegion>
+    [[nodiscard]] std::uint32_t cube(TreeBuilder& builder, int depth, glm::ivec3 min,
+                                     std::size_t first, const BakeRegion& bakeRegion) {
         const std::size_t last = pending_.size();
-        if (first == last || builder_.full()) return 0;
-        const int edge = 1 << (builder_.maxDepth() - depth);
-        const IBox box{min, min + edge};
-        if (const std::uint8_t value = coveringValue(box, first); value != 0) {
+        if (first == last || builder.full()) return 0;
+        const int edge = 1 << (builder.maxDepth() - depth);
+        if (const std::uint8_t value = coveringValue({min, min + edge}, first); value != 0) {
             return node::uniform(value);
         }
-        if (edge <= 8) {
-            gather(box, first);
-            cut();
-            return denseCube(depth, 0, edge == 8 ? 64 : edge == 4 ? 8 : 1);
+        if (edge <= kRegionEdge) {
+            Job job{min, {}};
+            for (std::size_t i = first; i < last; ++i) job.sources.push_back(pending_[i].region);
+            return bakeRegion(std::move(job));
         }
-        return builder_.internal(depth, [&](unsigned octant) {
+        return builder.internal(depth, [&](unsigned octant) {
             const glm::ivec3 childMin = min + octantCorner(octant) * (edge / 2);
             const glm::ivec3 childMax = childMin + edge / 2;
             for (std::size_t i = first; i < last; ++i) {
-                const IBox& b = sources_[pending_[i]].box;
+                const IBox& b = pending_[i].box;
                 if (b.min.x < childMax.x && b.max.x > childMin.x && b.min.y < childMax.y &&
                     b.max.y > childMin.y && b.min.z < childMax.z && b.max.z > childMin.z) {
-                    pending_.push_back(pending_[i]);
+                    const Source source = pending_[i];
+                    pending_.push_back(source);
                 }
             }
-            const std::uint32_t word = cube(depth + 1, childMin, last);
+            const std::uint32_t word = cube(builder, depth + 1, childMin, last, bakeRegion);
             pending_.resize(last);
             return word;
         });
@@ -104,80 +174,20 @@ class Baker {
 
     // The material that fills the whole cube, or 0. Sources do not overlap, so volumes tell.
     [[nodiscard]] std::uint8_t coveringValue(const IBox& box, std::size_t first) const {
-        const std::uint8_t value = sources_[pending_[first]].value;
+        const std::uint8_t value = pending_[first].region.uniformValue;
         std::int64_t covered = 0;
         for (std::size_t i = first; i < pending_.size(); ++i) {
-            const Source& source = sources_[pending_[i]];
-            if (source.voxels != nullptr || source.value != value) return 0;
+            const Source& source = pending_[i];
+            if (!source.region.blocks.empty() || source.region.uniformValue != value) return 0;
             covered += volume(source.box.intersected(box));
         }
         return covered == volume(box) ? value : std::uint8_t{0};
     }
 
-    // Fills rows_ with the voxels of a cube of edge 8 (or of the whole tree, if that is smaller).
-    void gather(const IBox& cube, std::size_t first) {
-        rows_.fill(0);
-        for (std::size_t i = first; i < pending_.size(); ++i) {
-            const Source& source = sources_[pending_[i]];
-            const IBox part = source.box.intersected(cube);
-            const int z = part.min.z - cube.min.z;
-            const int bits = 8 * (part.max.z - part.min.z);
-            const std::uint64_t mask = (~std::uint64_t{0} >> (64 - bits)) << (8 * z);
-            const glm::ivec3 shift = cube.min - source.origin;
-            for (int x = part.min.x - cube.min.x; x < part.max.x - cube.min.x; ++x) {
-                for (int y = part.min.y - cube.min.y; y < part.max.y - cube.min.y; ++y) {
-                    std::uint64_t row = uniformPayload(source.value);
-                    if (source.voxels != nullptr) {
-                        row = loadRow(source.voxels, x + shift.x, y + shift.y);
-                        row = shift.z >= 0 ? row >> (8 * shift.z) : row << (-8 * shift.z);
-                    }
-                    rows_[static_cast<std::size_t>((x << 3) | y)] |= row & mask;
-                }
-            }
-        }
-    }
-
-    // Cuts rows_ into bricks_, in the octree's own order (the bits of x, y and z interleaved).
-    void cut() {
-        occupied_ = 0;
-        for (unsigned column = 0; column < 16; ++column) {  // bricks at the same x and y
-            const unsigned x = column >> 2;
-            const unsigned y = column & 3u;
-            const std::size_t row = (x << 4) | (y << 1);
-            const std::array<std::uint64_t, 4> rows{rows_[row], rows_[row + 8], rows_[row + 1],
-                                                    rows_[row + 9]};
-            if ((rows[0] | rows[1] | rows[2] | rows[3]) == 0) continue;
-            for (unsigned z = 0; z < 4; ++z) {
-                std::uint64_t payload = 0;
-                for (unsigned i = 0; i < 4; ++i) {  // octants i and i + 4
-                    const std::uint64_t pair = rows[i] >> (16 * z);
-                    payload |= ((pair & 0xFF) | (pair & 0xFF00) << 24) << (8 * i);
-                }
-                if (payload == 0) continue;
-                const glm::ivec3 brick(x, y, z);
-                const unsigned index = octantOf(brick, 1) << 3 | octantOf(brick, 0);
-                bricks_[index] = payload;
-                occupied_ |= std::uint64_t{1} << index;
-            }
-        }
-    }
-
-    // The node at `depth` over bricks_[first, first + count).
-    [[nodiscard]] std::uint32_t denseCube(int depth, unsigned first, unsigned count) {
-        if (((occupied_ >> first) & (~std::uint64_t{0} >> (64 - count))) == 0) return 0;
-        if (count == 1) return builder_.brick(bricks_[first]);
-        return builder_.internal(depth, [&](unsigned octant) {
-            return denseCube(depth + 1, first + octant * (count / 8), count / 8);
-        });
-    }
-
     IBox bounds_;
     TreeBuilder builder_;
-    std::vector<Source> sources_;
-    std::vector<std::uint32_t> pending_;
-    std::array<std::uint64_t, 64> rows_{};    // [(x << 3) | y]: eight voxels along z
-    std::array<std::uint64_t, 64> bricks_{};  // payloads; only those with their bit in occupied_
-    std::uint64_t occupied_ = 0;
+    std::vector<VoxelBlock> blocks_;
+    std::vector<Source> pending_;  // all of them, then those of the cubes on the way down
 };
 
 void unpack(const Octree& octree, std::uint32_t word, int depth, glm::ivec3 min,
@@ -203,9 +213,13 @@ void unpack(const Octree& octree, std::uint32_t word, int depth, glm::ivec3 min,
 }  // namespace
 
 Result<Octree> bake(const VoxelGrid& voxels, const IBox& bounds) {
+    return bakeOnThreads(voxels, bounds, 0);
+}
+
+Result<Octree> bakeOnThreads(const VoxelGrid& voxels, const IBox& bounds, int threads) {
     if (bounds.empty()) return Octree{};
     if (auto fits = checkOctreeSize(bounds.size()); !fits) return tl::unexpected(fits.error());
-    return Baker(voxels, bounds).run();
+    return Baker(voxels, bounds).run(threads);
 }
 
 Result<Octree> bake(const VoxelGrid& voxels) {

@@ -1,5 +1,9 @@
 #include "core/svo/tree_builder.h"
 
+#include <bit>
+
+#include "core/base/parallel.h"
+
 namespace voxprite {
 
 Status checkOctreeSize(glm::ivec3 size) {
@@ -14,28 +18,128 @@ Status checkOctreeSize(glm::ivec3 size) {
     return {};
 }
 
-Result<Octree> TreeBuilder::finish(std::uint32_t root, glm::ivec3 size, glm::ivec3 origin) {
-    if (full()) return fail("the model needs more than 8,388,608 octree nodes");
+void TreeBuilder::reserve(std::size_t cubes) {
+    if (maxDepth_ < 3) return;
+    // What is not needed is never touched; what is copied to a larger array is.
+    levels_[static_cast<std::size_t>(maxDepth_) - 2].reserve(8 * cubes);
+    levels_[static_cast<std::size_t>(maxDepth_) - 1].reserve(24 * cubes + 64);
+    payloads_.reserve(16 * cubes + 64);
+}
+
+namespace {
+
+// 1 or 0. Said so that no compiler makes a branch of it, which random bricks would mislead.
+std::uint32_t isNotZero(std::uint64_t x) {
+    return static_cast<std::uint32_t>((x | (0 - x)) >> 63);
+}
+
+}  // namespace
+
+std::uint32_t TreeBuilder::cube(const std::array<std::uint64_t, 64>& payloads) {
+    if (maxDepth_ == 1) return brick(payloads[0]);
+    if (maxDepth_ == 2) {
+        return internal(0, [&](unsigned octant) { return brick(payloads[octant]); });
+    }
+    Words& fours = levels_[static_cast<std::size_t>(maxDepth_) - 2];  // cubes of four
+    Words& bricks = levels_[static_cast<std::size_t>(maxDepth_) - 1];
+    const std::size_t firstFour = fours.size();
+    const std::size_t firstBrick = bricks.size();
+    std::size_t fourCount = firstFour;
+    std::size_t brickCount = firstBrick;
+    std::size_t payloadCount = payloads_.size();
+    // One more than can be needed: everything is written, and then counted or not.
+    fours.resize(fourCount + 8);
+    bricks.resize(brickCount + 65);
+    payloads_.resize(payloadCount + 65);
+
+    std::uint32_t foursMask = 0;
+    for (unsigned octant = 0; octant < 8; ++octant) {
+        const std::uint64_t* const cut = &payloads[std::size_t{8} * octant];
+        if ((cut[0] | cut[1] | cut[2] | cut[3] | cut[4] | cut[5] | cut[6] | cut[7]) == 0) continue;
+        const std::size_t base = brickCount;
+        const std::size_t basePayload = payloadCount;
+        std::uint32_t mask = 0;
+        for (unsigned i = 0; i < 8; ++i) {
+            const std::uint64_t payload = cut[i];
+            const std::uint32_t solid = isNotZero(payload);
+            const std::uint32_t mixed = isNotZero(payload ^ std::rotl(payload, 8));
+            const std::uint32_t brick = node::brick(static_cast<std::uint32_t>(payloadCount));
+            const auto uniform = static_cast<std::uint32_t>(payload & 0xFF);
+            bricks[brickCount] = uniform ^ ((uniform ^ brick) & (0 - mixed));
+            payloads_[payloadCount] = payload;
+            brickCount += solid;
+            payloadCount += mixed;
+            mask |= solid << i;
+        }
+        std::uint32_t word = node::internal(static_cast<std::uint32_t>(base), mask);
+        if (mask == 0xFF && payloadCount == basePayload && allEqual(bricks, base)) {
+            word = bricks[base];
+            brickCount = base;
+        }
+        fours[fourCount++] = word;
+        foursMask |= 1u << octant;
+    }
+    fours.resize(fourCount);
+    bricks.resize(brickCount);
+    payloads_.resize(payloadCount);
+    nodeCount_ += fourCount - firstFour + brickCount - firstBrick;
+    return node::internal(static_cast<std::uint32_t>(firstFour), foursMask);
+}
+
+Result<Octree> TreeBuilder::finish(std::uint32_t root, glm::ivec3 size, glm::ivec3 origin,
+                                   std::span<const TreeBuilder> parts, int threads) const {
+    std::vector<const TreeBuilder*> builders{this};
+    std::uint64_t nodes = nodeCount_;
+    for (const TreeBuilder& part : parts) {
+        builders.push_back(&part);
+        nodes += part.nodeCount_ - 1;
+    }
+    if (nodes > kMaxOctreeNodes) return fail("the model needs more than 8,388,608 octree nodes");
+
+    // Which level of whom is copied where, and by how much the words of one kind grow there: child
+    // bases by what comes before the children, indices of payloads by the payloads before.
+    struct Job {
+        const Words* words;
+        std::size_t at;
+        std::uint32_t kind, added;
+    };
+    std::vector<Job> jobs;
+    std::size_t payloads = 0;
+    std::size_t at = 1;
+    const int bricksDepth = maxDepth_ - 1;
+    for (int depth = 1; depth <= bricksDepth; ++depth) {
+        std::size_t children = at;
+        for (const TreeBuilder* builder : builders) children += builder->nodesAt(depth);
+        for (const TreeBuilder* builder : builders) {
+            const auto added =
+                static_cast<std::uint32_t>(depth < bricksDepth ? children << 8 : payloads);
+            const Words& words = builder->levels_[static_cast<std::size_t>(depth)];
+            jobs.push_back(
+                {&words, at, depth < bricksDepth ? node::kInternal : node::kBrick, added});
+            at += words.size();
+            if (depth < bricksDepth) children += builder->nodesAt(depth + 1);
+            if (depth == bricksDepth) payloads += builder->payloads_.size();
+        }
+    }
+
     Octree octree;
     octree.maxDepth = maxDepth_;
     octree.size = size;
     octree.origin = origin;
-    octree.payloads = std::move(payloads_);
-    octree.nodes.clear();
-    octree.nodes.reserve(static_cast<std::size_t>(nodeCount_));
-
-    std::uint32_t nextLevel = 1;  // where the children of the level being written begin
-    const auto append = [&](std::uint32_t word) {
-        if (node::isInternal(word)) {
-            word = node::internal(nextLevel + node::childBase(word), node::childMask(word));
+    octree.nodes.resize(static_cast<std::size_t>(nodes));
+    octree.nodes[0] = node::isInternal(root) ? root + (1u << 8) : root;
+    parallelFor(static_cast<int>(jobs.size()), threads, [&](int first, int last) {
+        for (const Job& job : std::span(jobs).subspan(first, last - first)) {
+            std::uint32_t* to = &octree.nodes[job.at];
+            for (const std::uint32_t word : *job.words) {
+                *to++ = word + ((word & job.kind) != 0 ? job.added : 0);
+            }
         }
-        octree.nodes.push_back(word);
-    };
-    append(root);
-    for (std::vector<std::uint32_t>& level : levels_) {
-        nextLevel += static_cast<std::uint32_t>(level.size());
-        for (const std::uint32_t word : level) append(word);
-        level = {};
+    });
+    octree.payloads.reserve(payloads);
+    for (const TreeBuilder* builder : builders) {
+        octree.payloads.insert(octree.payloads.end(), builder->payloads_.begin(),
+                               builder->payloads_.end());
     }
     return octree;
 }

@@ -3,12 +3,17 @@
 // Walked that way, each level's nodes come in exactly their breadth-first order, so every level is
 // a flat array that only grows at its end; collapsing a node takes its eight children off that end.
 // finish() joins the levels. No node is allocated one by one, none is moved twice.
+//
+// Subtrees may be put together by several builders at once, each with its own levels: joined in the
+// order of the subtrees they are the levels of the whole.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "core/base/raw_vector.h"
 #include "core/svo/octree.h"
 
 namespace voxprite {
@@ -37,7 +42,7 @@ class TreeBuilder {
     // The word of an internal node at `depth`; child(octant) gives its children's words in turn.
     template <class Child>
     [[nodiscard]] std::uint32_t internal(int depth, const Child& child) {
-        std::vector<std::uint32_t>& level = levels_[static_cast<std::size_t>(depth) + 1];
+        Words& level = levels_[static_cast<std::size_t>(depth) + 1];
         const std::size_t base = level.size();
         std::uint32_t mask = 0;
         for (unsigned octant = 0; octant < 8; ++octant) {
@@ -56,13 +61,33 @@ class TreeBuilder {
         return node::internal(static_cast<std::uint32_t>(base), mask);
     }
 
+    // The word of a cube of eight voxels an edge (or of the whole tree, if that is smaller, from
+    // the first of them) that is not uniform, from the payloads of its bricks in the order of
+    // octants.
+    [[nodiscard]] std::uint32_t cube(const std::array<std::uint64_t, 64>& payloads);
+
+    // Room for the nodes of so many cubes of eight, as models usually have them.
+    void reserve(std::size_t cubes);
+
     // More nodes than an octree can hold: whatever is still to come, finish() will fail.
     [[nodiscard]] bool full() const { return nodeCount_ > kMaxOctreeNodes; }
 
-    [[nodiscard]] Result<Octree> finish(std::uint32_t root, glm::ivec3 size, glm::ivec3 origin);
+    [[nodiscard]] std::uint64_t nodeCount() const { return nodeCount_; }
+    [[nodiscard]] std::size_t nodesAt(int depth) const {
+        return levels_[static_cast<std::size_t>(depth)].size();
+    }
+
+    // `parts` hold what lies below this one's nodes, where this one has none: a word that was made
+    // by one of them has the number of nodes before it (those that the parts before it have at the
+    // depth of its children) added to its child base. Fails beyond kMaxOctreeNodes.
+    [[nodiscard]] Result<Octree> finish(std::uint32_t root, glm::ivec3 size, glm::ivec3 origin,
+                                        std::span<const TreeBuilder> parts = {},
+                                        int threads = 1) const;
 
   private:
-    [[nodiscard]] static bool allEqual(const std::vector<std::uint32_t>& level, std::size_t base) {
+    using Words = RawVector<std::uint32_t>;
+
+    [[nodiscard]] static bool allEqual(const Words& level, std::size_t base) {
         for (std::size_t i = base + 1; i < base + 8; ++i) {
             if (level[i] != level[base]) return false;
         }
@@ -71,8 +96,8 @@ class TreeBuilder {
 
     int maxDepth_;
     // levels_[d] holds the nodes at depth d (d >= 1), child bases counted from the start of d + 1.
-    std::array<std::vector<std::uint32_t>, kMaxOctreeDepth + 1> levels_;
-    std::vector<std::uint64_t> payloads_;
+    std::array<Words, kMaxOctreeDepth + 1> levels_;
+    RawVector<std::uint64_t> payloads_;
     std::uint64_t nodeCount_ = 1;  // the root; only nodes that have come to stay
 };
 

@@ -4,18 +4,18 @@
 
 #include "app/cli/bench/bench.h"
 #include "app/cli/bench/rivals.h"
+#include "app/cli/bench/vdb_rival.h"
 #include "app/cli/stopwatch.h"
+#include "core/base/parallel.h"
 #include "core/svo/bake.h"
+#include "core/svo/bake_on_threads.h"
 #include "core/svo/live_octree.h"
 
 namespace voxprite::bench {
 namespace {
 
-// Reading every cell of the root's cube beyond this takes too long, and its nodes too much memory.
-constexpr double kMaxNaiveCells = 256.0 * 256.0 * 256.0;
-
-Json bakeFigure(const BenchModel& model, const char* baker, double ms) {
-    return {{"model", model.name}, {"baker", baker}, {"ms", ms}};
+Json bakeFigure(const BenchModel& model, const char* baker, int threads, double ms) {
+    return {{"model", model.name}, {"baker", baker}, {"threads", threads}, {"ms", ms}};
 }
 
 using Edits = std::vector<LiveOctree::Edit>;
@@ -66,16 +66,28 @@ Result<double> medianEditUs(LiveOctree& live, const Octree& octree, int edge, in
 
 Result<Json> benchBake(const std::vector<BenchModel>& models, const Effort& effort) {
     Json figures = Json::array();
+    const int all = hardwareThreads();
     for (const BenchModel& model : models) {
-        figures.push_back(bakeFigure(
-            model, "bricks", medianMs(effort, [&] { static_cast<void>(bake(model.voxels)); })));
-        if (std::pow(8.0, model.octree.maxDepth) > kMaxNaiveCells) continue;
+        progress(effort, "bake: " + model.name);
+        for (const int threads : {0, 1}) {
+            Octree octree;
+            const double ms = medianMs(effort, [&] {
+                octree = *bakeOnThreads(model.voxels, model.voxels.bounds(), threads);
+            });
+            if (octree != model.octree) return fail(model.name + ": two bakes differ");
+            figures.push_back(bakeFigure(model, "bricks", threads == 0 ? all : threads, ms));
+        }
         const Result<Octree> naive = bakeNaively(model.voxels);
         if (!naive) return Failure(naive.error());
         if (*naive != model.octree) return fail(model.name + ": the naive bake differs from ours");
         const Effort less{true};
-        figures.push_back(bakeFigure(
-            model, "naive", medianMs(less, [&] { static_cast<void>(bakeNaively(model.voxels)); })));
+        figures.push_back(bakeFigure(model, "naive", 1, medianMs(less, [&] {
+                                         static_cast<void>(bakeNaively(model.voxels));
+                                     })));
+        const VdbGrid grid(model.voxels);
+        if (!grid.nanoVdbHolds(model.voxels)) return fail(model.name + ": NanoVDB's grid differs");
+        figures.push_back(bakeFigure(model, "nanovdb", all,
+                                     medianMs(less, [&] { static_cast<void>(grid.toNanoVdb()); })));
     }
     return figures;
 }

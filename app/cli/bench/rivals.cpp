@@ -1,9 +1,12 @@
 #include "app/cli/bench/rivals.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
+#include <memory>
 
 namespace voxprite::bench {
 namespace {
@@ -133,36 +136,35 @@ namespace {
 
 // A node before it has a place in the array.
 struct Building {
-    std::uint32_t word = 0;  // of leaves; payload of bricks
-    std::uint64_t payload = 0;
-    std::vector<Building> children;  // eight of an internal node
+    std::array<std::unique_ptr<Building>, 8> children;  // of cubes larger than a brick
+    std::uint64_t payload = 0;                          // of bricks
+    bool uniform = false;                               // once collapsed: all of it is `payload`
 };
 
-Building buildCell(const VoxelGrid::Reader& voxels, glm::ivec3 corner, int edge) {
-    Building built;
+void insert(Building& root, int maxDepth, glm::ivec3 tree, std::uint8_t material) {
+    Building* at = &root;
+    for (int bit = maxDepth - 1; bit > 0; --bit) {
+        std::unique_ptr<Building>& child = at->children[octantOf(tree, bit)];
+        if (!child) child = std::make_unique<Building>();
+        at = child.get();
+    }
+    at->payload |= std::uint64_t{material} << (8 * octantOf(tree, 0));
+}
+
+void collapse(Building& node, int edge) {
     if (edge == 2) {
-        for (unsigned octant = 0; octant < 8; ++octant) {
-            const glm::ivec3 offset(octant & 1, octant >> 1 & 1, octant >> 2);
-            built.payload |= std::uint64_t{voxels.get(corner + offset)} << (8 * octant);
-        }
-        const auto first = static_cast<std::uint8_t>(built.payload);
-        const bool uniform = built.payload == first * 0x0101'0101'0101'0101ull;
-        built.word = uniform ? node::uniform(first) : node::kBrick;
-        return built;
+        node.uniform = node.payload == std::rotl(node.payload, 8);
+        return;
     }
-    for (int octant = 0; octant < 8; ++octant) {
-        const glm::ivec3 offset(octant & 1, octant >> 1 & 1, octant >> 2);
-        built.children.push_back(buildCell(voxels, corner + offset * (edge / 2), edge / 2));
+    bool alike = true;
+    for (const std::unique_ptr<Building>& child : node.children) {
+        if (child) collapse(*child, edge / 2);
+        alike = alike && child && child->uniform && child->payload == node.children[0]->payload;
     }
-    const std::uint32_t word = built.children[0].word;
-    const bool alike = std::all_of(
-        built.children.begin(), built.children.end(),
-        [&](const Building& child) { return child.children.empty() && child.word == word; });
-    if (alike && (node::isEmpty(word) || node::isUniform(word))) {
-        built.word = word;
-        built.children.clear();
-    }
-    return built;
+    if (!alike) return;
+    node.uniform = true;
+    node.payload = node.children[0]->payload;
+    for (std::unique_ptr<Building>& child : node.children) child.reset();
 }
 
 }  // namespace
@@ -174,31 +176,37 @@ Result<Octree> bakeNaively(const VoxelGrid& voxels) {
     octree.size = bounds.size();
     octree.origin = bounds.min;
     octree.maxDepth = depthForSize(octree.size);
-    const VoxelGrid::Reader reader(voxels);
-    const Building root = buildCell(reader, bounds.min, 1 << octree.maxDepth);
+    Building root;
+    voxels.forEachSolid([&](glm::ivec3 v, std::uint8_t material) {
+        insert(root, octree.maxDepth, v - bounds.min, material);
+    });
+    collapse(root, 1 << octree.maxDepth);
     // Breadth first: the queue holds the nodes in the order of the array.
     std::vector<const Building*> queue{&root};
-    octree.nodes.assign(1, 0);
-    for (std::size_t k = 0; k < queue.size(); ++k) {
+    octree.nodes.clear();
+    for (std::size_t k = 0, levelEnd = 1, edge = std::size_t{1} << octree.maxDepth;
+         k < queue.size(); ++k) {
+        if (k == levelEnd) {
+            levelEnd = queue.size();
+            edge /= 2;
+        }
         const Building& built = *queue[k];
-        if (built.children.empty()) {
-            octree.nodes[k] = built.word;
-            if (built.word == node::kBrick) {
-                octree.nodes[k] = node::brick(static_cast<std::uint32_t>(octree.payloads.size()));
-                octree.payloads.push_back(built.payload);
+        if (built.uniform) {
+            octree.nodes.push_back(node::uniform(static_cast<std::uint8_t>(built.payload)));
+        } else if (edge == 2) {
+            const auto index = static_cast<std::uint32_t>(octree.payloads.size());
+            octree.nodes.push_back(node::brick(index));
+            octree.payloads.push_back(built.payload);
+        } else {
+            const auto base = static_cast<std::uint32_t>(queue.size());
+            std::uint32_t mask = 0;
+            for (unsigned octant = 0; octant < 8; ++octant) {
+                if (!built.children[octant]) continue;
+                mask |= 1u << octant;
+                queue.push_back(built.children[octant].get());
             }
-            continue;
+            octree.nodes.push_back(node::internal(base, mask));
         }
-        const auto base = static_cast<std::uint32_t>(queue.size());
-        std::uint32_t mask = 0;
-        for (unsigned octant = 0; octant < 8; ++octant) {
-            const Building& child = built.children[octant];
-            if (child.children.empty() && child.word == 0) continue;
-            mask |= 1u << octant;
-            queue.push_back(&child);
-        }
-        octree.nodes.resize(queue.size());
-        octree.nodes[k] = node::internal(base, mask);
     }
     if (octree.nodes.size() > kMaxOctreeNodes) return fail("more nodes than an octree can hold");
     return octree;

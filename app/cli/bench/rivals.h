@@ -35,7 +35,8 @@ class DenseGrid {
 // method of Foley & Sugerman 2005 for k-d trees).
 [[nodiscard]] std::uint8_t castByRestart(const OctreeView& octree, const Ray& ray);
 
-// The canonical octree by reading every voxel of the root's cube, cell by cell.
+// The canonical octree by inserting every solid voxel from the root, each new node allocated by
+// itself, collapsing the tree and writing it out breadth first.
 [[nodiscard]] Result<Octree> bakeNaively(const VoxelGrid& voxels);
 
 }  // namespace voxprite::bench

@@ -1,4 +1,5 @@
 #include "core/svo/bake.h"
+#include "core/svo/bake_on_threads.h"
 
 #include <gtest/gtest.h>
 
@@ -212,6 +213,86 @@ TEST(Bake, TheLongestEdgeIs65536) {
     EXPECT_NE(tooLong.error().message.find("65,536"), std::string::npos);
 }
 
+// On any number of threads, as the plain baker has it.
+void expectOneOctree(const VoxelGrid& voxels, const IBox& bounds, const Octree& expected) {
+    for (const int threads : {0, 1, 2, 5}) {
+        const Result<Octree> octree = bakeOnThreads(voxels, bounds, threads);
+        ASSERT_TRUE(octree.has_value());
+        EXPECT_EQ(*octree, expected) << threads << " threads";
+    }
+}
+
+TEST(Bake, IsTheSameOnAnyNumberOfThreads) {
+    // Large enough for several threads, at each offset from the grid's blocks.
+    std::mt19937 random(3);
+    for (int i = 0; i < 4; ++i) {
+        const glm::ivec3 low = test::randomIn(random, glm::ivec3(-300), glm::ivec3(300));
+        VoxelGrid voxels;
+        voxels.fill({low + 10, low + 79}, 4);                                          // tiles, too
+        voxels.fill({low + glm::ivec3(0, 0, 90), low + glm::ivec3(110, 110, 91)}, 5);  // a sheet
+        for (int k = 0; k < 3000; ++k) {
+            const auto material = static_cast<std::uint8_t>(random() % 4);
+            voxels.set(test::randomIn(random, low, low + 110), material);
+        }
+        const IBox bounds = voxels.bounds();
+        expectOneOctree(voxels, bounds, test::ReferenceBaker(voxels, bounds).bake());
+        // Bounds that cut on every side, and that leave room on every side.
+        const IBox within{bounds.min + 3, bounds.max - 5};
+        expectOneOctree(voxels, within, test::ReferenceBaker(voxels, within).bake());
+        const IBox around{bounds.min - 7, bounds.max + 2};
+        expectOneOctree(voxels, around, test::ReferenceBaker(voxels, around).bake());
+    }
+}
+
+TEST(Bake, EveryOffsetFromTheBlocksOfTheGrid) {
+    std::mt19937 random(4);
+    for (int offset = 0; offset < 512; ++offset) {
+        const glm::ivec3 low(offset & 7, offset >> 3 & 7, offset >> 6);
+        VoxelGrid voxels;
+        voxels.set(low, 9);
+        voxels.fill({low + 1, low + glm::ivec3(9, 10, 11)}, 1);
+        for (int k = 0; k < 40; ++k) {
+            voxels.set(test::randomIn(random, low, low + 19),
+                       static_cast<std::uint8_t>(random() % 3));
+        }
+        const IBox bounds = voxels.bounds();
+        EXPECT_EQ(baked(voxels), test::ReferenceBaker(voxels, bounds).bake())
+            << "offset " << offset;
+    }
+}
+
+TEST(Bake, HugeSparseModelsOnThreads) {
+    // Clusters far apart: long ways down with nothing beside them.
+    std::mt19937 random(5);
+    VoxelGrid voxels;
+    for (int i = 0; i < 40; ++i) {
+        const glm::ivec3 at = test::randomIn(random, glm::ivec3(-30000), glm::ivec3(30000));
+        voxels.fill(IBox::around(at, at + test::randomIn(random, glm::ivec3(1), glm::ivec3(20))),
+                    static_cast<std::uint8_t>(1 + i));
+    }
+    const IBox bounds = voxels.bounds();
+    const Octree octree = bakeOnThreads(voxels, bounds, 1).value();
+    EXPECT_TRUE(validateCanonical(octree));
+    EXPECT_EQ(toVoxels(octree), voxels);
+    expectOneOctree(voxels, bounds, octree);
+}
+
+TEST(Bake, ThinModelsOnThreads) {
+    for (int axis = 0; axis < 3; ++axis) {
+        VoxelGrid voxels;
+        for (int i = 0; i < 3000; ++i) {
+            glm::ivec3 v(-5);
+            v[axis] = i - 1234;
+            voxels.set(v, static_cast<std::uint8_t>(1 + i / 7 % 255));
+        }
+        const IBox bounds = voxels.bounds();
+        const Octree octree = bakeOnThreads(voxels, bounds, 1).value();
+        EXPECT_TRUE(validateCanonical(octree));
+        EXPECT_EQ(toVoxels(octree), voxels);
+        expectOneOctree(voxels, bounds, octree);
+    }
+}
+
 TEST(Bake, TooManyNodesIsAnError) {
     // One voxel in every brick of a 400-cube: 200^3 bricks, and a seventh more above them.
     VoxelGrid voxels;
@@ -220,9 +301,26 @@ TEST(Bake, TooManyNodesIsAnError) {
             for (int z = 0; z < 400; z += 2) voxels.set({x, y, z}, 1);
         }
     }
-    const Result<Octree> octree = bake(voxels);
-    ASSERT_FALSE(octree.has_value());
-    EXPECT_NE(octree.error().message.find("8,388,608"), std::string::npos);
+    for (const int threads : {0, 1}) {
+        const Result<Octree> octree = bakeOnThreads(voxels, voxels.bounds(), threads);
+        ASSERT_FALSE(octree.has_value());
+        EXPECT_NE(octree.error().message.find("8,388,608"), std::string::npos);
+    }
+}
+
+TEST(Bake, AlmostTooManyNodesAreBaked) {
+    // 200 x 200 x 183 bricks of one voxel each and what is above them: as near as whole layers get.
+    VoxelGrid voxels;
+    for (int x = 0; x < 400; x += 2) {
+        for (int y = 0; y < 400; y += 2) {
+            for (int z = 0; z < 366; z += 2) voxels.set({x, y, z}, 1);
+        }
+    }
+    const Octree octree = bake(voxels, voxels.bounds()).value();
+    EXPECT_GT(octree.nodes.size(), kMaxOctreeNodes - 50'000u);
+    EXPECT_LE(octree.nodes.size(), kMaxOctreeNodes);
+    EXPECT_EQ(octree, bakeOnThreads(voxels, voxels.bounds(), 1).value());
+    EXPECT_TRUE(validateCanonical(octree));
 }
 
 }  // namespace
