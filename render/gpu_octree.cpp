@@ -66,6 +66,7 @@ void copyRows(const gl::Texture& from, std::uint32_t fromRow, const gl::Texture&
 
 GpuOctree::GpuOctree() = default;
 
+// A texture with room for the octree, and in it what the one before held.
 bool GpuOctree::makeRoom(const OctreeView& octree) {
     const gl::Texture before = std::move(texture_);
     const std::uint32_t nodesBefore = nodeCapacity_;
@@ -104,14 +105,11 @@ bool GpuOctree::makeRoom(const OctreeView& octree) {
     return true;
 }
 
-bool GpuOctree::hasRoom(const OctreeView& octree) const {
-    return texture_ && octree.nodes.size() <= nodeCapacity_ &&
-           octree.payloads.size() <= payloadCapacity_;
-}
-
 void GpuOctree::upload(const OctreeView& octree) {
-    if (!hasRoom(octree)) {
-        texture_.reset();
+    const bool roomLeft = texture_ && octree.nodes.size() <= nodeCapacity_ &&
+                          octree.payloads.size() <= payloadCapacity_;
+    if (!roomLeft) {
+        texture_.reset();  // nothing of it is kept
         if (!makeRoom(octree)) return;
     }
     OctreeChanges all;
@@ -123,9 +121,11 @@ void GpuOctree::upload(const OctreeView& octree) {
 void GpuOctree::update(const OctreeView& octree, const OctreeChanges& changes) {
     if (changes.everything || !texture_) {
         upload(octree);
-    } else if (hasRoom(octree) || makeRoom(octree)) {
-        uploadRuns(octree, changes);
+        return;
     }
+    const bool roomLeft =
+        octree.nodes.size() <= nodeCapacity_ && octree.payloads.size() <= payloadCapacity_;
+    if (roomLeft || makeRoom(octree)) uploadRuns(octree, changes);
 }
 
 void GpuOctree::uploadRuns(const OctreeView& octree, const OctreeChanges& changes) {

@@ -21,8 +21,7 @@ class GpuOctree {
     // Uploads all of it. Room is left for growth. An octree larger than the driver's textures is
     // not uploaded (there is no texture then), and status says so.
     void upload(const OctreeView& octree);
-    // Uploads only `changes` (all, when they say so); when the room is used up, what is already
-    // there is copied to a larger texture on the GPU.
+    // Uploads only `changes` (all, when they say so or the room is used up).
     void update(const OctreeView& octree, const OctreeChanges& changes);
 
     [[nodiscard]] const Status& status() const { return status_; }
@@ -40,8 +39,6 @@ class GpuOctree {
     [[nodiscard]] OctreeBlock block() const;          // what shaders need to read it
 
   private:
-    [[nodiscard]] bool hasRoom(const OctreeView& octree) const;
-    // A texture with room for the octree, and in it what the one before held.
     [[nodiscard]] bool makeRoom(const OctreeView& octree);
     void uploadRuns(const OctreeView& octree, const OctreeChanges& changes);
 
