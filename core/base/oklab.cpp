@@ -1,46 +1,15 @@
 #include "core/base/oklab.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
+
+#include "core/base/newton_root.h"
+#include "core/base/srgb.h"
 
 namespace voxprite {
 
 namespace {
-
-// The n-th root of 0 < x <= 1 by Newton's method from 1, which comes down to it without ever
-// passing it; rounding alone can make it turn.
-double rootOf(double x, int n) {
-    double root = 1.0;
-    for (;;) {
-        double power = 1.0;
-        for (int k = 1; k < n; ++k) power *= root;
-        const double next = ((n - 1) * root + x / power) / n;
-        if (!(next < root)) return root;
-        root = next;
-    }
-}
-
-// IEC 61966-2-1: light from the number that stands for it; to the power of 2.4 = 2 + 2/5.
-double linearFrom(int byte) {
-    const double value = byte / 255.0;
-    if (value <= 0.04045) return value / 12.92;
-    const double base = (value + 0.055) / 1.055;
-    const double fifth = rootOf(base, 5);
-    return base * base * fifth * fifth;
-}
-
-const std::array<double, 256>& linearTable() {
-    static const std::array<double, 256> table = [] {
-        std::array<double, 256> values{};
-        for (int byte = 0; byte < 256; ++byte) {
-            values[static_cast<std::size_t>(byte)] = linearFrom(byte);
-        }
-        return values;
-    }();
-    return table;
-}
 
 double cubeRoot(double x) {
     // Brought near 1 by whole powers of 8, where few steps are needed.
@@ -52,17 +21,11 @@ double cubeRoot(double x) {
     return x > 0.0 ? scale * rootOf(std::min(x, 1.0), 3) : 0.0;
 }
 
-std::uint8_t byteFrom(double linear) {
-    const double value =
-        linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255.0));
-}
-
 }  // namespace
 
 OkLab okLabFrom(Rgba8 colour) {
-    const auto& linear = linearTable();
-    const double red = linear[colour.x], green = linear[colour.y], blue = linear[colour.z];
+    const double red = linearFromSrgb(colour.x), green = linearFromSrgb(colour.y),
+                 blue = linearFromSrgb(colour.z);
     const double l = cubeRoot(0.4122214708 * red + 0.5363325363 * green + 0.0514459929 * blue);
     const double m = cubeRoot(0.2119034982 * red + 0.6806995451 * green + 0.1073969566 * blue);
     const double s = cubeRoot(0.0883024619 * red + 0.2817188376 * green + 0.6299787005 * blue);
@@ -79,9 +42,9 @@ Rgba8 rgba8From(const OkLab& colour) {
     const double s =
         colour.lightness - 0.0894841775 * colour.greenRed - 1.2914855480 * colour.blueYellow;
     const double l3 = l * l * l, m3 = m * m * m, s3 = s * s * s;
-    return {byteFrom(4.0767416621 * l3 - 3.3077115913 * m3 + 0.2309699292 * s3),
-            byteFrom(-1.2684380046 * l3 + 2.6097574011 * m3 - 0.3413193965 * s3),
-            byteFrom(-0.0041960863 * l3 - 0.7034186147 * m3 + 1.7076147010 * s3), 255};
+    return {srgbFromLinear(4.0767416621 * l3 - 3.3077115913 * m3 + 0.2309699292 * s3),
+            srgbFromLinear(-1.2684380046 * l3 + 2.6097574011 * m3 - 0.3413193965 * s3),
+            srgbFromLinear(-0.0041960863 * l3 - 0.7034186147 * m3 + 1.7076147010 * s3), 255};
 }
 
 double squaredDistance(const OkLab& a, const OkLab& b) {

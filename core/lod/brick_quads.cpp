@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/lod/greedy_rectangles.h"
 #include "core/lod/octree_boxes.h"
 
 namespace voxprite {
@@ -78,28 +79,16 @@ void BrickMesher::slice(int face, int k, glm::ivec3 brick, std::vector<ClusterVe
         }
     }
     if (!any) return;
-    for (int v = 0; v < edge; ++v) {
-        for (int u = 0; u < edge; ++u) {
-            std::uint8_t* run = &faces_[static_cast<std::size_t>(v * edge + u)];
-            const std::uint8_t material = *run;
-            if (material == 0) continue;
-            const auto equal = [&](std::uint8_t m) { return m == material; };
-            const auto width = std::find_if_not(run, run + (edge - u), equal) - run;
-            int height = 1;
-            while (v + height < edge &&
-                   std::all_of(run + height * edge, run + height * edge + width, equal))
-                ++height;
-            for (int row = 0; row < height; ++row)
-                std::fill_n(run + row * edge, width, std::uint8_t{0});
-            glm::ivec3 min(face < 3 ? k + 1 : k);
-            min[uAxis] = u;
-            min[vAxis] = v;
-            glm::ivec3 max = min;
-            max[uAxis] += static_cast<int>(width);
-            max[vAxis] += height;
-            emit(face, min, max, material, brick, out);
-        }
-    }
+    takeRectangles(faces_, edge, edge,
+                   [&](int u, int v, int width, int height, std::uint8_t material) {
+                       glm::ivec3 min(face < 3 ? k + 1 : k);
+                       min[uAxis] = u;
+                       min[vAxis] = v;
+                       glm::ivec3 max = min;
+                       max[uAxis] += width;
+                       max[vAxis] += height;
+                       emit(face, min, max, material, brick, out);
+                   });
 }
 
 void BrickMesher::emit(int face, glm::ivec3 min, glm::ivec3 max, std::uint8_t material,

@@ -19,9 +19,9 @@ struct BrickLevel {
     int brickCells = 16;
 };
 
-// Greedy rectangles of one material over the faces of the brick's cells: the longest run along u,
-// then as many equal runs as follow along v (Lysenko 2012). Faces without are those between solid
-// cells of the brick and, across its border, those with voxels of the model all over behind them.
+// Greedy rectangles of one material (core/lod/greedy_rectangles.h) over the faces of the brick's
+// cells. Faces without are those between solid cells of the brick and, across its border, those
+// with voxels of the model all over behind them.
 // `brick` counts bricks from the tree's origin. One object serves many bricks, on one thread.
 class BrickMesher {
   public:
