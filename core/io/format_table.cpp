@@ -5,6 +5,10 @@
 #include "core/io/csm_reader.h"
 #include "core/io/csm_writer.h"
 #include "core/io/formats.h"
+#include "core/io/gltf_reader.h"
+#include "core/io/mesh_voxels.h"
+#include "core/io/mesh_writer.h"
+#include "core/io/obj_reader.h"
 #include "core/io/project_file.h"
 #include "core/io/svo_file.h"
 #include "core/io/vox.h"
@@ -99,6 +103,34 @@ Result<Bytes> saveCsm(const SaveRequest& request) {
     return writeCsm(request.document);
 }
 
+Result<LoadedDocument> loadMesh(Result<MeshImport> import, const ReadOptions& options) {
+    if (!import) return Failure(import.error());
+    Result<LoadedDocument> loaded = voxelsOf(std::move(import->mesh), options.mesh);
+    if (!loaded) return loaded;
+    std::vector<std::string>& warnings = loaded->warnings;
+    warnings.insert(warnings.begin(), import->warnings.begin(), import->warnings.end());
+    return loaded;
+}
+
+Result<LoadedDocument> loadGltf(const FileSource& source) {
+    if (Status s = validate(source.options.mesh); !s) return Failure(s.error());
+    return loadMesh(readGltf(source.bytes, ModelFolder(source.path)), source.options);
+}
+
+std::vector<std::string> glbLosses(const Document& document) {
+    return meshLosses(document, ".glb");
+}
+
+Result<LoadedDocument> loadObj(const FileSource& source) {
+    if (Status s = validate(source.options.mesh); !s) return Failure(s.error());
+    return loadMesh(readObj(source.bytes, ModelFolder(source.path), source.options.mesh.objUp),
+                    source.options);
+}
+
+std::vector<std::string> objLosses(const Document& document) {
+    return meshLosses(document, ".obj");
+}
+
 constexpr std::array kFormats{
     FormatInfo{.format = Format::voxprite,
                .name = "voxprite",
@@ -128,6 +160,25 @@ constexpr std::array kFormats{
                .load = loadCsm,
                .save = saveCsm,
                .losses = csmLosses},
+    FormatInfo{.format = Format::glb,
+               .name = "glb",
+               .ending = ".glb",
+               .title = "glTF mesh",
+               .load = loadGltf,
+               .save = writeGlb,
+               .losses = glbLosses},
+    FormatInfo{.format = Format::gltf,
+               .name = "gltf",
+               .ending = ".gltf",
+               .title = "glTF mesh, text",
+               .load = loadGltf},
+    FormatInfo{.format = Format::obj,
+               .name = "obj",
+               .ending = ".obj",
+               .title = "Wavefront mesh",
+               .load = loadObj,
+               .saveFiles = writeObj,
+               .losses = objLosses},
 };
 
 }  // namespace

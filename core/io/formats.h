@@ -13,12 +13,13 @@
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
+#include "core/io/mesh_options.h"
 #include "core/model/document.h"
 #include "core/model/game_profile.h"
 
 namespace voxprite {
 
-enum class Format : std::uint8_t { voxprite, vox, svo, csm };
+enum class Format : std::uint8_t { voxprite, vox, svo, csm, glb, gltf, obj };
 
 struct LoadedDocument {
     Document document;
@@ -29,9 +30,13 @@ struct LoadedDocument {
 };
 
 // What the caller may choose where a file leaves a choice: a member for each format that does.
-struct ReadOptions {};
+struct ReadOptions {
+    MeshReadOptions mesh;
+};
 // The same for writing.
-struct WriteOptions {};
+struct WriteOptions {
+    MeshWriteOptions mesh;
+};
 
 // What a reader gets. A format that is spread over several files finds the others by `path`, and
 // never outside its folder.
