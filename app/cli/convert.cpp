@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/cli/command.h"
+#include "app/cli/mesh_options.h"
 #include "app/cli/source.h"
 
 namespace voxprite::cli {
@@ -12,17 +13,21 @@ struct Options {
     std::string input, output;
     std::optional<std::string> profile;
     std::optional<std::string> variant;
+    ReadOptions read;
+    WriteOptions write;
 };
 
 Result<Report> convert(const Options& options) {
     // Before any work: is the output of a kind that can be written?
     const Result<Format> format = formatOf(options.output);
     if (!format) throw CLI::ValidationError("--output", format.error().describe());
-    const Result<LoadedDocument> loaded = loadSource(options.input, std::nullopt, options.variant);
+    const Result<LoadedDocument> loaded =
+        loadSource(options.input, std::nullopt, options.variant, options.read);
     if (!loaded) return Failure(loaded.error());
     const Result<GameProfile> profile = profileForSaving(options.profile, loaded->document);
     if (!profile) return Failure(profile.error());
-    if (Status saved = saveDocument(options.output, loaded->document, *profile); !saved) {
+    if (Status saved = saveDocument(options.output, loaded->document, *profile, {}, options.write);
+        !saved) {
         return Failure(saved.error());
     }
     Json warnings = Json::array();
@@ -60,6 +65,8 @@ void addConvert(CLI::App& app, Command& command) {
     sub.add_option("--variant", options->variant,
                    "The palette variant, by its name; its colours become the file's palette")
         ->type_name("NAME");
+    addMeshReadOptions(sub, options->read);
+    addMeshWriteOptions(sub, options->write);
     addJsonFlag(sub, command);
     runs(sub, command, options, convert);
 }

@@ -39,8 +39,9 @@ std::vector<int> sourceModels(const Document& document) {
 }
 
 Result<LoadedDocument> loadSource(const std::filesystem::path& path, std::optional<int> model,
-                                  const std::optional<std::string>& variant) {
-    Result<LoadedDocument> loaded = loadDocument(path);
+                                  const std::optional<std::string>& variant,
+                                  const ReadOptions& options) {
+    Result<LoadedDocument> loaded = loadDocument(path, options);
     if (loaded && variant) {
         if (Status chosen = chooseVariant(loaded->document.palette, *variant); !chosen) {
             return Failure(inFile(std::move(chosen), path.string()).error());

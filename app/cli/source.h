@@ -18,7 +18,7 @@ namespace voxprite::cli {
 // `variant`, in the colours of that palette variant, which are then the palette's only ones.
 [[nodiscard]] Result<LoadedDocument> loadSource(
     const std::filesystem::path& path, std::optional<int> model,
-    const std::optional<std::string>& variant = std::nullopt);
+    const std::optional<std::string>& variant = std::nullopt, const ReadOptions& options = {});
 
 // The profile of `path`; without one the built-in profile with the values that the document was
 // authored with (what goes into files that record them).
