@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "app/cli/bench/cluster_frames.h"
+#include "app/cli/bench/convert_files.h"
 #include "app/cli/bench/ratios.h"
 #include "app/cli/bench/tables.h"
 #include "app/cli/command.h"
@@ -126,6 +127,8 @@ Result<Report> runBench(const Options& options) {
     if (options.markdown && report.json.contains("clusters"))
         report.text += bench::clusterTables(report.json["clusters"]) + "\n" +
                        bench::clusterFrameTable(report.json["clusters"]);
+    if (options.markdown && report.json.contains("files"))
+        report.text += bench::fileTable(report.json["files"]);
     if (report.text.empty()) report.text = describe(report.json);
     if (Status added = addRatios(options, kept, report); !added) return Failure(added.error());
     return report;
@@ -148,7 +151,7 @@ void addBench(CLI::App& app, Command& command) {
                    "A folder of real models beside the samples (else VOXPRITE_CORPUS)")
         ->type_name("DIR");
     sub.add_flag("--markdown", options->markdown,
-                 "Rays, frames, shade and clusters as tables in Markdown");
+                 "Rays, frames, shade, clusters and files as tables in Markdown");
     sub.add_option("--against", options->against,
                    "Print ratios to the figures kept there, and to the rivals of this run")
         ->type_name("FILE");
