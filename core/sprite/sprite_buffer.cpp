@@ -1,11 +1,14 @@
 #include "core/sprite/sprite_buffer.h"
 
 #include <algorithm>
+#include <bit>
+#include <memory>
 
 #include "core/base/bytes.h"
 #include "core/base/hash.h"
 #include "core/base/parallel.h"
-#include "core/trace/lattice_caster.h"
+#include "core/sprite/sprite_outline.h"
+#include "core/trace/packet_caster.h"
 
 namespace voxprite {
 
@@ -30,23 +33,71 @@ std::uint32_t voxelId(glm::ivec3 voxel, glm::ivec3 modelSize) {
 }
 
 void dilateOutline(SpriteBuffer& buffer, Rgba8 colour) {
-    const auto opaque = [&](int column, int row) {
-        if (column < 0 || row < 0 || column >= buffer.size.x || row >= buffer.size.y) return false;
-        const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(buffer.size.x) +
-                        static_cast<std::size_t>(column);
-        return buffer.ids[at] >= kIdFirstVoxel;
-    };
-    std::size_t at = 0;
-    for (int row = 0; row < buffer.size.y; ++row)
-        for (int column = 0; column < buffer.size.x; ++column, ++at) {
-            if (buffer.ids[at] >= kIdFirstVoxel) continue;
-            if (opaque(column - 1, row) || opaque(column + 1, row) || opaque(column, row - 1) ||
-                opaque(column, row + 1)) {
-                buffer.ids[at] = kIdOutline;
-                buffer.colours[at] = {colour.x, colour.y, colour.z, 255};
+    drawOutline(opaquePixels(buffer), colour, buffer);
+}
+
+namespace {
+
+// Colours and numbers of one packet's hits; `corner` is its first pixel's column and its lowest row
+// from the bottom.
+class PacketPainter {
+  public:
+    PacketPainter(const OctreeView& octree, const LatticeView& lattice, const LitPalette& lit,
+                  SpriteBuffer& buffer, PixelBits& opaque)
+        : octree_(octree),
+          lattice_(lattice),
+          lit_(lit),
+          shader_(octree, lit.rays),
+          buffer_(buffer),
+          opaque_(opaque) {}
+
+    void paint(const PacketHits& hits, glm::ivec2 corner, int height) {
+        std::uint32_t last = 0;  // of the entries: pixels of one face are one colour
+        Rgba8 colour(0);
+        std::uint32_t id = kIdEmpty;
+        for (int up = 0; up < height; ++up) {
+            const int row = buffer_.size.y - 1 - corner.y - up;
+            std::uint64_t hit = hits.rows[static_cast<std::size_t>(up)];
+            opaque_.row(row)[corner.x / PacketHits::kEdge] = hit;
+            const std::size_t start =
+                static_cast<std::size_t>(row) * static_cast<std::size_t>(buffer_.size.x) +
+                static_cast<std::size_t>(corner.x);
+            for (; hit != 0; hit &= hit - 1) {
+                const int column = std::countr_zero(hit);
+                const std::uint32_t entry = hits.entries[PacketHits::index(column, up)];
+                if (entry != last) {
+                    last = entry;
+                    const LatticeHit met = hits.at(column, up);
+                    colour = colourOf(met);
+                    id = voxelId(met.voxel, octree_.size);
+                }
+                buffer_.colours[start + static_cast<std::size_t>(column)] = colour;
+                buffer_.ids[start + static_cast<std::size_t>(column)] = id;
             }
         }
-}
+    }
+
+  private:
+    Rgba8 colourOf(const LatticeHit& hit) {
+        if (lit_.rays.any()) {
+            const VoxelFace seen = seenFace(hit, lattice_.D);
+            if (seen != face_) shade_ = shader_.shadeOf(seen);
+            face_ = seen;
+        }
+        return lit_.shade(hit.material, hit.faceAxis, shade_);
+    }
+
+    const OctreeView& octree_;
+    const LatticeView& lattice_;
+    const LitPalette& lit_;
+    FaceShader shader_;
+    SpriteBuffer& buffer_;
+    PixelBits& opaque_;
+    VoxelFace face_;  // the last one that was asked for its shade
+    FaceShade shade_;
+};
+
+}  // namespace
 
 SpriteBuffer castSprite(const OctreeView& octree, const LatticeView& lattice, const LitPalette& lit,
                         int threads) {
@@ -55,29 +106,21 @@ SpriteBuffer castSprite(const OctreeView& octree, const LatticeView& lattice, co
     buffer.size = glm::max(lattice.size, glm::ivec2(0));
     buffer.colours.assign(area(buffer.size), Rgba8(0));
     buffer.ids.assign(area(buffer.size), kIdEmpty);
-    const LatticeCaster caster(octree, lattice);
-    const FaceShader shader(octree, lit.rays);
-    parallelFor(buffer.size.y, threads, [&](int firstRow, int lastRow) {
-        std::size_t at =
-            static_cast<std::size_t>(firstRow) * static_cast<std::size_t>(buffer.size.x);
-        VoxelFace face;  // the last one that was asked for its shade
-        FaceShade shade;
-        for (int row = firstRow; row < lastRow; ++row)
-            for (int column = 0; column < buffer.size.x; ++column, ++at) {
-                const glm::ivec2 pixel{lattice.first.x + column,
-                                       lattice.first.y + buffer.size.y - 1 - row};
-                const LatticeHit hit = caster.cast(pixel);
-                if (hit.material == 0) continue;
-                if (lit.rays.any()) {
-                    const VoxelFace seen = seenFace(hit, lattice.D);
-                    if (seen != face) shade = shader.shadeOf(seen);
-                    face = seen;
-                }
-                buffer.colours[at] = lit.shade(hit.material, hit.faceAxis, shade);
-                buffer.ids[at] = voxelId(hit.voxel, octree.size);
-            }
+    PixelBits opaque(buffer.size);
+    const PacketCaster caster(octree, lattice);
+    constexpr int kEdge = PacketHits::kEdge;
+    const glm::ivec2 packets = (buffer.size + (kEdge - 1)) / kEdge;
+    parallelFor(packets.x * packets.y, threads, [&](int firstPacket, int lastPacket) {
+        const auto hits = std::make_unique<PacketHits>();
+        PacketPainter painter(octree, lattice, lit, buffer, opaque);
+        for (int packet = firstPacket; packet < lastPacket; ++packet) {
+            const glm::ivec2 corner{packet % packets.x * kEdge, packet / packets.x * kEdge};
+            const glm::ivec2 size = glm::min(buffer.size - corner, glm::ivec2(kEdge));
+            caster.cast(lattice.first + corner, size, *hits);
+            painter.paint(*hits, corner, size.y);
+        }
     });
-    if (lit.outline.enabled) dilateOutline(buffer, lit.outline.colour);
+    if (lit.outline.enabled) drawOutline(opaque, lit.outline.colour, buffer);
     return buffer;
 }
 
