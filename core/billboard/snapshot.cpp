@@ -5,9 +5,9 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "core/base/parallel.h"
 #include "core/sprite/face_shade.h"
 #include "core/sprite/sprite_view.h"
+#include "core/trace/ray_packet.h"
 
 namespace voxprite {
 
@@ -71,14 +71,16 @@ SnapshotPixels castSnapshotPixels(const OctreeView& octree, const SnapshotLight&
     pixels.ids.assign(area(size), kIdEmpty);
     pixels.depth.assign(area(size), kSky);
     const FaceShader shader(octree, light.along(camera.axes[2]).rays);
-    parallelFor(size.y, threads, [&](int firstRow, int lastRow) {
-        for (int row = firstRow; row < lastRow; ++row) {
-            for (int column = 0; column < size.x; ++column) {
-                const Ray ray = camera.rayThrough(rect.min.x + column, rect.min.y + row);
-                const RaycastHit hit = raycast(octree, ray);
-                if (!hit.hit) continue;
-                const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(size.x) +
-                                static_cast<std::size_t>(column);
+    raycastPicture(
+        octree, size, kMaxOctreeDepth, threads,
+        [&](glm::ivec2 pixel) {
+            return camera.rayThrough(rect.min.x + pixel.x, rect.min.y + pixel.y);
+        },
+        [&] {
+            return [&](glm::ivec2 pixel, const Ray& ray, const RaycastHit& hit) {
+                const auto at =
+                    static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(size.x) +
+                    static_cast<std::size_t>(pixel.x);
                 const LitPalette& lit = light.along(ray.direction);
                 FaceShade shade;
                 if (lit.rays.any()) {
@@ -88,9 +90,8 @@ SnapshotPixels castSnapshotPixels(const OctreeView& octree, const SnapshotLight&
                 pixels.colours[at] = lit.shade(hit.value, hit.axis, shade);
                 pixels.ids[at] = voxelId(hit.voxel, octree.size);
                 pixels.depth[at] = static_cast<float>(hit.t);
-            }
-        }
-    });
+            };
+        });
     return pixels;
 }
 

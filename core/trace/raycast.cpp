@@ -125,14 +125,14 @@ RaycastHit raycast(const OctreeView& octree, const Ray& ray, const RaycastOption
                    RaycastCounters* counters) {
     const QuantisedRay quantised = quantiseRay(octree, ray, options.maxDepth);
     const double slack = raySlack(octree);
-    const double length = glm::length(quantised.scaled);
     WalkCount count;
     count.mostIterations = options.mostIterations;
     LatticeHit met;
     if (quantised.meetsBox) {
         // The walk's own t may be off by as much as a leaf where it grazes a face.
         const double later = (1 << quantised.leafLevel) + 2.0 * slack;
-        met = castCounted(octree, quantised, options.greatestT / length + later, count);
+        met = castCounted(octree, quantised,
+                          options.greatestT / glm::length(quantised.scaled) + later, count);
     }
     if (counters != nullptr) {
         ++counters->rays;
@@ -141,9 +141,16 @@ RaycastHit raycast(const OctreeView& octree, const Ray& ray, const RaycastOption
         counters->nodes += count.nodes;
         counters->guardReached += count.stopped ? 1 : 0;
     }
-    if (met.material == 0) return {};
+    RaycastHit hit = raycastHit(octree, ray, quantised, met);
+    hit.hit = hit.hit && hit.t <= options.greatestT;
+    return hit;
+}
 
+RaycastHit raycastHit(const OctreeView& octree, const Ray& ray, const QuantisedRay& quantised,
+                      const LatticeHit& met) {
+    if (met.material == 0) return {};
     RaycastHit hit;
+    hit.hit = true;
     hit.voxel = met.voxel;
     hit.value = met.material;
     if (met.faceAxis == kInsideAxis) {
@@ -153,14 +160,13 @@ RaycastHit raycast(const OctreeView& octree, const Ray& ray, const RaycastOption
         hit.axis = met.faceAxis;
         const bool downward = quantised.direction[hit.axis] < 0;
         const int face = met.voxel[hit.axis] + (downward ? 1 << quantised.leafLevel : 0);
-        const double scaledT =
-            scaledTOfFace(ray, quantised, hit, face, octree.treeFromVoxel[hit.axis], slack);
-        hit.t = scaledT * length;
+        const double scaledT = scaledTOfFace(ray, quantised, hit, face,
+                                             octree.treeFromVoxel[hit.axis], raySlack(octree));
+        hit.t = scaledT * glm::length(quantised.scaled);
         hit.point = ray.origin + quantised.scaled * scaledT;
         hit.point[hit.axis] = face;
     }
     hit.normal[hit.axis] = ray.direction[hit.axis] < 0.0 ? 1.0 : -1.0;
-    hit.hit = hit.t <= options.greatestT;
     return hit;
 }
 

@@ -124,4 +124,9 @@ inline constexpr int kRayDirectionBits = 19;  // the largest component of D is 2
 inline constexpr std::uint8_t kInsideAxis = 3;
 [[nodiscard]] LatticeHit castQuantised(const OctreeView& octree, const QuantisedRay& ray);
 
+// What raycast makes of it: `quantised` is quantiseRay's for this ray and `met` castQuantised's for
+// that. For whoever casts many rays at once (core/trace/ray_packet.h).
+[[nodiscard]] RaycastHit raycastHit(const OctreeView& octree, const Ray& ray,
+                                    const QuantisedRay& quantised, const LatticeHit& met);
+
 }  // namespace voxprite
