@@ -118,6 +118,8 @@ Result<Report> runBench(const Options& options) {
         if (!figures) return Failure(figures.error());
         report.json[kParts[k]] = std::move(*figures);
     }
+    if (options.markdown && report.json.contains("cast"))
+        report.text += bench::castTable(report.json["cast"]);
     if (options.markdown && report.json.contains("raycast"))
         report.text += bench::raycastTable(report.json["raycast"]);
     if (options.markdown && report.json.contains("frame"))

@@ -33,7 +33,7 @@ struct BenchModel {
 
 // A hollow ball, one voxel thick: "shell128".
 [[nodiscard]] Result<BenchModel> shellModel(int size);
-// One voxel in 64 is solid, anywhere: "random512".
+// One voxel in 100 is solid, anywhere: "random512".
 [[nodiscard]] Result<BenchModel> scatteredModel(int size);
 
 struct Effort {
@@ -58,6 +58,7 @@ void progress(const Effort& effort, const std::string& what);
 // give the same result as voxprite is a failure, or its disagreement is in the figure
 // (`differing`).
 [[nodiscard]] Json machine();  // without "gl"
+// On shells and scattered models of 64 to 512 cubed, the samples and five models of the corpus.
 [[nodiscard]] Result<Json> benchCast(const std::vector<BenchModel>& models, const Effort& effort);
 [[nodiscard]] Result<Json> benchBake(const std::vector<BenchModel>& models, const Effort& effort);
 [[nodiscard]] Result<Json> benchUpdate(const std::vector<BenchModel>& models, const Effort& effort);

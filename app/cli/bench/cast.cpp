@@ -1,178 +1,371 @@
-// Rays a second: parallel rays of sprites and perspective rays of the voxel view.
+// Rays a second, ours and rivals': parallel rays of sprites and perspective rays of the voxel view.
+// 512 x 512 rays over the model's bounding sphere from each of eight oblique directions. All
+// casters take turns on one picture after another; a figure is the sum over pictures of each one's
+// shortest time, which on one thread is the thread's own (what else the machine does counts
+// little).
+#include <time.h>
+
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
+#include <memory>
 #include <span>
+#include <tuple>
 
 #include "app/cli/bench/bench.h"
-#include "app/cli/bench/rivals.h"
+#include "app/cli/bench/volume_rivals.h"
+#include "app/cli/stopwatch.h"
 #include "core/base/parallel.h"
+#include "core/sprite/sprite_outline.h"
 #include "core/sprite/sprite_view.h"
 #include "core/trace/lattice_caster.h"
+#include "core/trace/packet_caster.h"
+#include "core/trace/ray_packet.h"
 #include "core/trace/raycast.h"
 
 namespace voxprite::bench {
 namespace {
 
-// Two views of no special direction, and those that are hard: along an axis and isometric.
-constexpr OrbitAngles kViews[] = {{30, 20, 0}, {115, 60, 0}, {0, 0, 0}, {45, 35.264, 0}};
-// Of the model's longest edge on the sprite: about as many rays whatever the model's size.
-constexpr double kEdgePx = 256.0;
+// One in each octant.
+constexpr OrbitAngles kViews[] = {{28, 19, 0},  {66, -31, 0},  {118, 24, 0}, {152, -14, 0},
+                                  {205, 41, 0}, {248, -22, 0}, {293, 12, 0}, {337, -37, 0}};
 
-// The rays of one picture, made beforehand: what is measured is casting alone.
-struct Rays {
-    std::vector<Ray> rays;
-    std::vector<LatticeRay> latticeRays;  // the same ones as integers; parallel rays only
+// One picture of each kind, its rays made beforehand: what is measured is casting alone.
+struct View {
+    LatticeView lattice;
+    std::vector<Ray> parallelRays;
+    std::vector<Ray> eyeRays;
 };
 
-Rays parallelRays(const LatticeView& lattice) {
-    Rays rays;
+std::vector<Ray> parallelRays(const LatticeView& lattice) {
+    std::vector<Ray> rays;
     for (int row = 0; row < lattice.size.y; ++row) {
         for (int column = 0; column < lattice.size.x; ++column) {
             const LatticeRay ray = rayOf(lattice, lattice.first + glm::ivec2(column, row));
-            rays.latticeRays.push_back(ray);
-            rays.rays.push_back({glm::dvec3(ray.origin) / std::ldexp(1.0, ray.positionBits),
-                                 glm::dvec3(ray.direction),
-                                 -std::numeric_limits<double>::infinity()});
+            rays.push_back({glm::dvec3(ray.origin) / std::ldexp(1.0, ray.positionBits),
+                            glm::dvec3(ray.direction), -std::numeric_limits<double>::infinity()});
         }
     }
     return rays;
 }
 
-Rays perspectiveRays(const PlacedEntity& placed, const Camera& camera) {
+std::vector<Ray> eyeRays(const PlacedEntity& placed, const Camera& camera) {
     const glm::dmat3 voxelFromWorld = glm::transpose(placed.worldFromVoxelAxes);
-    Rays rays;
+    std::vector<Ray> rays;
     for (int row = 0; row < camera.viewportPx.y; ++row) {
         for (int column = 0; column < camera.viewportPx.x; ++column) {
             const Camera::Ray ray = camera.rayThrough(glm::dvec2(column, row) + 0.5);
             const glm::dvec3 eye =
                 voxelFromWorld * (ray.origin - placed.anchorMetres) / placed.metresPerVoxel() +
                 placed.anchor;
-            rays.rays.push_back({eye, voxelFromWorld * ray.direction, 0.0});
+            rays.push_back({eye, voxelFromWorld * ray.direction, 0.0});
         }
     }
     return rays;
 }
 
-void append(Rays& all, Rays more) {
-    all.rays.insert(all.rays.end(), more.rays.begin(), more.rays.end());
-    all.latticeRays.insert(all.latticeRays.end(), more.latticeRays.begin(), more.latticeRays.end());
-}
-
-// The rays of all views, parallel and perspective.
-struct Load {
-    Rays parallel, perspective;
-};
-
-Result<Load> loadOf(const BenchModel& model, const Effort& effort) {
-    GameProfile profile;
+Result<View> viewOf(const BenchModel& model, const OrbitAngles& angles, int edgePx) {
     const glm::ivec3 size = model.octree.size;
-    profile.sigma = std::clamp(kEdgePx / std::max({size.x, size.y, size.z}), 1.0 / 64.0, 2.0);
-    profile.minification = false;
-    const PlacedEntity placed = placeEntity(Entity{}, {{0, 0, 0}, size}, profile);
-    Load load;
-    for (const OrbitAngles& angles : std::span(kViews).first(effort.quick ? 2 : 4)) {
-        const Camera camera =
-            orbitCamera(angles, placed.centreMetres(), 2.7 * placed.radiusMetres(), 45.0,
-                        glm::ivec2(effort.quick ? 128 : 256));
-        const Result<SpriteViewResult> sprite = viewSprite(placed, camera, profile);
-        if (!sprite) return Failure(sprite.error());
-        if (!sprite->view) return fail(model.name + ": is not seen");
-        append(load.parallel, parallelRays(sprite->view->lattice));
-        append(load.perspective, perspectiveRays(placed, camera));
-    }
-    return load;
+    const glm::dmat3 basis = orbitBasis(angles);
+    OrthoView ortho{basis[0], basis[1], basis[2]};
+    ortho.sigmaInForce = std::clamp(edgePx / glm::length(glm::dvec3(size)), 1.0 / 64.0, 64.0);
+    const Result<LatticeView> lattice = quantiseView(ortho, size);
+    if (!lattice) return Failure(lattice.error());
+    View view{*lattice, {}, {}};
+    view.lattice.first = glm::ivec2(-edgePx / 2);
+    view.lattice.size = glm::ivec2(edgePx);
+    view.parallelRays = parallelRays(view.lattice);
+    const PlacedEntity placed = placeEntity(Entity{}, {{0, 0, 0}, size}, GameProfile{});
+    view.eyeRays =
+        eyeRays(placed, orbitCamera(angles, placed.centreMetres(), 2.7 * placed.radiusMetres(),
+                                    45.0, glm::ivec2(edgePx)));
+    return view;
 }
 
 using Materials = std::vector<std::uint8_t>;
 
-template <class Cast>
-void castAll(Materials& hits, int threads, const Cast& cast) {
-    constexpr int chunk = 256;
+// Casts every ray of a picture on so many threads.
+using CastPicture = std::function<void(const View& view, int threads, Materials& hits)>;
+
+struct Caster {
+    const char* name;
+    CastPicture parallel, perspective;
+};
+
+// makeCaster() gives what casts the k-th ray, one for each thread.
+template <class MakeCaster>
+void castEach(Materials& hits, int threads, const MakeCaster& makeCaster) {
+    constexpr int kChunk = 1024;
     const int count = static_cast<int>(hits.size());
-    parallelFor((count + chunk - 1) / chunk, threads, [&](int first, int last) {
-        const int end = std::min(count, last * chunk);
-        for (auto k = static_cast<std::size_t>(first * chunk); k < static_cast<std::size_t>(end);
-             ++k) {
-            hits[k] = cast(k);
+    parallelFor((count + kChunk - 1) / kChunk, threads, [&](int first, int last) {
+        auto&& cast = makeCaster();
+        const auto end = static_cast<std::size_t>(std::min(count, last * kChunk));
+        for (auto k = static_cast<std::size_t>(first * kChunk); k < end; ++k) hits[k] = cast(k);
+    });
+}
+
+// A caster of single rays, parallel and perspective alike.
+template <class MakeCaster>
+Caster rayByRay(const char* name, const MakeCaster& makeCaster) {
+    const auto over = [makeCaster](std::vector<Ray> View::*rays) {
+        return [makeCaster, rays](const View& view, int threads, Materials& hits) {
+            castEach(hits, threads, [&] {
+                return [&view, rays, cast = makeCaster()](std::size_t k) {
+                    return cast((view.*rays)[k]);
+                };
+            });
+        };
+    };
+    return {name, over(&View::parallelRays), over(&View::eyeRays)};
+}
+
+Caster scalarCaster(const OctreeView& octree) {
+    return {"scalar",
+            [octree](const View& view, int threads, Materials& hits) {
+                const LatticeCaster caster(octree, view.lattice);
+                castEach(hits, threads, [&] {
+                    return [&](std::size_t k) {
+                        const int width = view.lattice.size.x;
+                        const int at = static_cast<int>(k);
+                        const glm::ivec2 pixel(at % width, at / width);
+                        return caster.cast(view.lattice.first + pixel).material;
+                    };
+                });
+            },
+            [octree](const View& view, int threads, Materials& hits) {
+                castEach(hits, threads, [&] {
+                    return [&](std::size_t k) {
+                        const Ray& ray = view.eyeRays[k];
+                        return raycast(octree, {ray.origin, ray.direction}).value;
+                    };
+                });
+            }};
+}
+
+// Packets over the picture: cast(first pixel, size, hits) casts one of them.
+template <class Hits, class Cast>
+void castPackets(glm::ivec2 size, int threads, Materials& hits, const Cast& cast) {
+    constexpr int kEdge = PacketHits::kEdge;
+    const glm::ivec2 packets = (size + (kEdge - 1)) / kEdge;
+    parallelFor(packets.x * packets.y, threads, [&](int first, int last) {
+        const auto met = std::make_unique<Hits>();
+        for (int packet = first; packet < last; ++packet) {
+            const glm::ivec2 corner{packet % packets.x * kEdge, packet / packets.x * kEdge};
+            const glm::ivec2 part = glm::min(size - corner, glm::ivec2(kEdge));
+            cast(corner, part, *met);
+            for (int row = 0; row < part.y; ++row) {
+                const int start = (corner.y + row) * size.x + corner.x;
+                for (std::uint64_t bits = met->rows[static_cast<std::size_t>(row)]; bits != 0;
+                     bits &= bits - 1) {
+                    const int column = std::countr_zero(bits);
+                    hits[static_cast<std::size_t>(start + column)] = met->at(column, row).material;
+                }
+            }
         }
     });
 }
 
+Caster packetCaster(const OctreeView& octree) {
+    return {"packet",
+            [octree](const View& view, int threads, Materials& hits) {
+                const PacketCaster caster(octree, view.lattice);
+                castPackets<PacketHits>(view.lattice.size, threads, hits,
+                                        [&](glm::ivec2 first, glm::ivec2 size, PacketHits& met) {
+                                            caster.cast(view.lattice.first + first, size, met);
+                                        });
+            },
+            [octree](const View& view, int threads, Materials& hits) {
+                const int width = view.lattice.size.x;
+                castPackets<RayPacketHits>(
+                    view.lattice.size, threads, hits,
+                    [&](glm::ivec2 first, glm::ivec2 size, RayPacketHits& met) {
+                        std::vector<voxprite::Ray> rays;
+                        for (int row = 0; row < size.y; ++row)
+                            for (int column = 0; column < size.x; ++column) {
+                                const Ray& ray = view.eyeRays[static_cast<std::size_t>(
+                                    (first.y + row) * width + first.x + column)];
+                                rays.push_back({ray.origin, ray.direction});
+                            }
+                        castRayPacket(octree, rays, size, kMaxOctreeDepth, met);
+                    });
+            }};
+}
+
+double threadMs() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
+double shareDiffering(const Materials& a, const Materials& b) {
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) count += a[k] != b[k] ? 1 : 0;
+    return static_cast<double>(count) / static_cast<double>(a.size());
+}
+
 class CastBench {
   public:
-    CastBench(const BenchModel& model, const Load& load, const Effort& effort, Json& out)
-        : model_(model), octree_(model.octree.view()), load_(load), effort_(effort), out_(out) {}
+    CastBench(const BenchModel& model, const Effort& effort, Json& out)
+        : model_(model), octree_(model.octree.view()), effort_(effort), out_(out) {}
 
-    void run() {
-        const auto& latticeRays = load_.parallel.latticeRays;
-        const auto& eyeRays = load_.perspective.rays;
-        const Materials noTruth;
-        const Materials parallelTruth =
-            measure("parallel", "scalar", latticeRays.size(), noTruth,
-                    [&](std::size_t k) { return castLattice(octree_, latticeRays[k]).material; });
-        const Materials perspectiveTruth =
-            measure("perspective", "scalar", eyeRays.size(), noTruth, [&](std::size_t k) {
-                return raycast(octree_, {eyeRays[k].origin, eyeRays[k].direction}).value;
-            });
-        const auto measureRival = [&](const char* name, const auto& cast) {
-            const auto& rays = load_.parallel.rays;
-            measure("parallel", name, rays.size(), parallelTruth,
-                    [&](std::size_t k) { return cast(rays[k]); });
-            measure("perspective", name, eyeRays.size(), perspectiveTruth,
-                    [&](std::size_t k) { return cast(eyeRays[k]); });
-        };
-        measureRival("octree_restart", [&](const Ray& ray) { return castByRestart(octree_, ray); });
+    Status run() {
+        progress(effort_, "cast: " + model_.name);
+        std::vector<Caster> casters{scalarCaster(octree_), packetCaster(octree_)};
+        const NanoVdbRival nanovdb(octree_);
+        casters.push_back(rayByRay("nanovdb", [&] {
+            auto caster = std::make_shared<NanoVdbRival::Caster>(nanovdb);
+            return [caster](const Ray& ray) { return caster->cast(ray); };
+        }));
+        const OpenVdbRival openvdb(octree_);
+        casters.push_back(rayByRay("openvdb", [&] {
+            auto caster = std::make_shared<OpenVdbRival::Caster>(openvdb);
+            return [caster](const Ray& ray) { return caster->cast(ray); };
+        }));
+        casters.push_back(rayByRay("octree_restart", [&] {
+            return [&](const Ray& ray) { return castByRestart(octree_, ray); };
+        }));
         const glm::dvec3 size(octree_.size);
-        if (size.x * size.y * size.z > static_cast<double>(DenseGrid::kMaxVoxels)) return;
-        const DenseGrid dense(octree_);
-        measureRival("dense_dda", [&](const Ray& ray) { return dense.cast(ray); });
+        std::optional<DenseGrid> dense;
+        if (size.x * size.y * size.z <= static_cast<double>(DenseGrid::kMaxVoxels)) {
+            dense.emplace(octree_);
+            casters.push_back(rayByRay(
+                "dense_dda", [&] { return [&](const Ray& ray) { return dense->cast(ray); }; }));
+        }
+        const std::span<const OrbitAngles> views = std::span(kViews).first(effort_.quick ? 2 : 8);
+        for (const OrbitAngles& angles : views) {
+            const Result<View> view = viewOf(model_, angles, effort_.quick ? 128 : 512);
+            if (!view) return Failure(view.error());
+            measure("parallel", casters, &Caster::parallel, *view, view->parallelRays.size());
+            measure("perspective", casters, &Caster::perspective, *view, view->eyeRays.size());
+            measureOutline(*view);
+        }
+        report(casters);
+        out_.push_back({{"model", model_.name},
+                        {"kind", "outline"},
+                        {"caster", "packet"},
+                        {"threads", 1},
+                        {"cast_ms", spriteMs_},
+                        {"outline_ms", outlineMs_},
+                        {"share_of_cast", outlineMs_ / spriteMs_}});
+        return {};
     }
 
   private:
-    // One figure for one thread, one for all; what was hit. `truth` is empty for our own caster.
-    template <class Cast>
-    Materials measure(const char* kind, const char* name, std::size_t count, const Materials& truth,
-                      const Cast& cast) {
-        Materials hits(count);
+    struct Figure {
+        double ms = 0.0;
+        std::size_t rays = 0, hits = 0;
+        double differing = 0.0;
+    };
+    using Key = std::tuple<std::string, std::string, int>;  // kind, caster, threads
+
+    void measure(const char* kind, const std::vector<Caster>& casters,
+                 CastPicture Caster::*castPicture, const View& view, std::size_t count) {
         std::vector<int> threadCounts{1};
         if (hardwareThreads() > 1) threadCounts.push_back(hardwareThreads());
-        for (const int threads : threadCounts) {
-            const double ms = medianMs(effort_, [&] { castAll(hits, threads, cast); });
-            Json figure{{"model", model_.name},
-                        {"kind", kind},
-                        {"caster", name},
-                        {"threads", threads},
-                        {"mrays_per_s", static_cast<double>(count) / ms / 1000.0},
-                        {"rays", count}};
-            if (!truth.empty()) figure["differing"] = differing(hits, truth);
-            out_.push_back(std::move(figure));
+        std::map<std::pair<std::string, int>, double> shortest;
+        Materials truth(count);
+        for (int round = 0; round < (effort_.quick ? 2 : 4); ++round) {
+            for (const Caster& caster : casters) {
+                if (!(caster.*castPicture)) continue;
+                for (const int threads : threadCounts) {
+                    Materials hits(count);
+                    const cli::Stopwatch wall;
+                    const double before = threadMs();
+                    (caster.*castPicture)(view, threads, hits);
+                    const double ms = threads == 1 ? threadMs() - before : wall.milliseconds();
+                    double& best = shortest.try_emplace({caster.name, threads}, ms).first->second;
+                    best = std::min(best, ms);
+                    if (round != 0) continue;
+                    if (&caster == &casters.front() && threads == 1) truth = hits;
+                    Figure& figure = figures_[{kind, caster.name, threads}];
+                    figure.rays += count;
+                    figure.hits +=
+                        count - static_cast<std::size_t>(std::count(hits.begin(), hits.end(), 0));
+                    figure.differing += shareDiffering(hits, truth) * static_cast<double>(count);
+                }
+            }
         }
-        return hits;
+        for (const auto& [who, ms] : shortest) figures_[{kind, who.first, who.second}].ms += ms;
     }
 
-    // The share of rays that a rival, in floating point, sees end elsewhere than we do.
-    static double differing(const Materials& a, const Materials& b) {
-        std::size_t count = 0;
-        for (std::size_t k = 0; k < a.size(); ++k) count += a[k] != b[k] ? 1 : 0;
-        return static_cast<double>(count) / static_cast<double>(a.size());
+    // What the outline adds to a sprite, on one thread.
+    void measureOutline(const View& view) {
+        LitPalette bare;
+        bare.outline.enabled = false;
+        double spriteMs = std::numeric_limits<double>::max();
+        double outlineMs = spriteMs;
+        for (int round = 0; round < (effort_.quick ? 3 : 8); ++round) {
+            double before = threadMs();
+            SpriteBuffer sprite = castSprite(octree_, view.lattice, bare, 1);
+            spriteMs = std::min(spriteMs, threadMs() - before);
+            const PixelBits opaque = opaquePixels(sprite);
+            before = threadMs();
+            drawOutline(opaque, Rgba8(255), sprite);
+            outlineMs = std::min(outlineMs, threadMs() - before);
+        }
+        spriteMs_ += spriteMs;
+        outlineMs_ += outlineMs;
+    }
+
+    void report(const std::vector<Caster>& casters) {
+        for (const char* kind : {"parallel", "perspective"})
+            for (const Caster& caster : casters)
+                for (const auto& [key, figure] : figures_) {
+                    const auto& [ofKind, name, threads] = key;
+                    if (ofKind != kind || name != caster.name) continue;
+                    const auto rays = static_cast<double>(figure.rays);
+                    const double rate = rays / figure.ms / 1000.0;
+                    const Figure& nanovdb = figures_.at({kind, "nanovdb", threads});
+                    const double nanovdbRate =
+                        static_cast<double>(nanovdb.rays) / nanovdb.ms / 1000.0;
+                    out_.push_back({{"model", model_.name},
+                                    {"kind", kind},
+                                    {"caster", name},
+                                    {"threads", threads},
+                                    {"mrays_per_s", rate},
+                                    {"times_nanovdb", rate / nanovdbRate},
+                                    {"rays", figure.rays},
+                                    {"hit", static_cast<double>(figure.hits) / rays},
+                                    {"differing", figure.differing / rays}});
+                }
     }
 
     const BenchModel& model_;
     OctreeView octree_;
-    const Load& load_;
     Effort effort_;
     Json& out_;
+    std::map<Key, Figure> figures_;
+    double spriteMs_ = 0.0, outlineMs_ = 0.0;
 };
+
+// Real models that the casters are compared on, where the corpus has them.
+constexpr std::array kCorpusModels{"spotvox/Tree", "vengi/test-transform", "voxel2pixel/NumberCube",
+                                   "mmmm/scene_store8", "mmmm/chr_army4a"};
 
 }  // namespace
 
 Result<Json> benchCast(const std::vector<BenchModel>& models, const Effort& effort) {
     Json figures = Json::array();
+    const auto measure = [&](const BenchModel& model) {
+        return CastBench(model, effort, figures).run();
+    };
+    for (const auto& make : {&shellModel, &scatteredModel}) {
+        for (const int edge : {64, 128, 256, 512}) {
+            if (effort.quick && edge > 128) break;
+            const Result<BenchModel> model = make(edge);
+            if (!model) return Failure(model.error());
+            if (Status ok = measure(*model); !ok) return Failure(ok.error());
+        }
+    }
     for (const BenchModel& model : models) {
-        const Result<Load> load = loadOf(model, effort);
-        if (!load) return Failure(load.error());
-        CastBench(model, *load, effort, figures).run();
+        const bool wanted = model.name.starts_with("samples/") ||
+                            std::ranges::find(kCorpusModels, model.name) != kCorpusModels.end();
+        if (!wanted) continue;
+        if (Status ok = measure(model); !ok) return Failure(ok.error());
     }
     return figures;
 }

@@ -37,12 +37,12 @@ VoxelGrid ball(int size, double hollow) {
     return grid;
 }
 
-// One voxel in 64 is solid, anywhere: the worst that an octree can be given.
+// One voxel in 100 is solid, anywhere: the worst that an octree can be given.
 VoxelGrid scattered(int size) {
     VoxelGrid grid;
     std::mt19937 random(64);
     const auto count = static_cast<std::uint64_t>(size) * static_cast<std::uint64_t>(size) *
-                       static_cast<std::uint64_t>(size) / 64;
+                       static_cast<std::uint64_t>(size) / 100;
     const auto edge = static_cast<std::uint32_t>(size);
     const auto coordinate = [&] { return static_cast<int>(random() % edge); };
     for (std::uint64_t k = 0; k < count; ++k) {

@@ -8,34 +8,12 @@
 #include <limits>
 #include <memory>
 
+#include "core/base/box.h"
+
 namespace voxprite::bench {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-
-// Where the ray is inside the box [0, size]; tIn > tOut when it never is.
-struct Span {
-    double tIn, tOut;
-};
-Span clip(const Ray& ray, glm::ivec3 size) {
-    Span span{ray.tMin, kNever};
-    for (int axis = 0; axis < 3; ++axis) {
-        if (ray.direction[axis] == 0.0) {
-            if (ray.origin[axis] < 0.0 || ray.origin[axis] >= size[axis]) return {1.0, 0.0};
-            continue;
-        }
-        const double a = -ray.origin[axis] / ray.direction[axis];
-        const double b = (size[axis] - ray.origin[axis]) / ray.direction[axis];
-        span.tIn = std::max(span.tIn, std::min(a, b));
-        span.tOut = std::min(span.tOut, std::max(a, b));
-    }
-    return span;
-}
-
-glm::ivec3 cellAt(const Ray& ray, double t, glm::ivec3 size) {
-    return glm::clamp(glm::ivec3(glm::floor(ray.origin + ray.direction * t)), glm::ivec3(0),
-                      size - 1);
-}
 
 // The largest empty or solid cube of the tree around a cell.
 struct Leaf {
@@ -58,15 +36,61 @@ Leaf leafAround(const OctreeView& octree, glm::ivec3 cell) {
 
 }  // namespace
 
+Span clip(const Ray& ray, glm::ivec3 size) {
+    Span span{ray.tMin, kNever};
+    for (int axis = 0; axis < 3; ++axis) {
+        if (ray.direction[axis] == 0.0) {
+            if (ray.origin[axis] < 0.0 || ray.origin[axis] >= size[axis]) return {1.0, 0.0};
+            continue;
+        }
+        const double a = -ray.origin[axis] / ray.direction[axis];
+        const double b = (size[axis] - ray.origin[axis]) / ray.direction[axis];
+        span.tIn = std::max(span.tIn, std::min(a, b));
+        span.tOut = std::min(span.tOut, std::max(a, b));
+    }
+    return span;
+}
+
+glm::ivec3 cellAt(const Ray& ray, double t, glm::ivec3 size) {
+    return glm::clamp(glm::ivec3(glm::floor(ray.origin + ray.direction * t)), glm::ivec3(0),
+                      size - 1);
+}
+
+namespace {
+
+void forEachSolidUnder(const OctreeView& octree, std::uint32_t word, glm::ivec3 corner, int edge,
+                       const std::function<void(glm::ivec3, std::uint8_t)>& body) {
+    if (edge == 1) return body(corner - octree.treeFromVoxel, static_cast<std::uint8_t>(word));
+    for (unsigned octant = 0; octant < 8; ++octant) {
+        std::uint32_t child = word;
+        if (node::isInternal(word))
+            child = node::hasChild(word, octant) ? octree.nodes[node::childIndex(word, octant)] : 0;
+        else if (node::isBrick(word))
+            child = payloadMaterial(octree.payloads[node::payloadIndex(word)], octant);
+        if (node::isEmpty(child)) continue;
+        forEachSolidUnder(octree, child, corner + octantCorner(octant) * (edge / 2), edge / 2,
+                          body);
+    }
+}
+
+}  // namespace
+
+void forEachSolid(const OctreeView& octree,
+                  const std::function<void(glm::ivec3, std::uint8_t)>& body) {
+    if (!node::isEmpty(octree.nodes[0]))
+        forEachSolidUnder(octree, octree.nodes[0], glm::ivec3(0), 1 << octree.maxDepth, body);
+}
+
 DenseGrid::DenseGrid(const OctreeView& octree) : size_(octree.size) {
     voxels_.resize(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
                    static_cast<std::size_t>(size_.z));
-    std::size_t at = 0;
-    for (int z = 0; z < size_.z; ++z) {
-        for (int y = 0; y < size_.y; ++y) {
-            for (int x = 0; x < size_.x; ++x) voxels_[at++] = materialAt(octree, {x, y, z});
-        }
-    }
+    forEachSolid(octree, [&](glm::ivec3 v, std::uint8_t material) {
+        if (!IBox{glm::ivec3(0), size_}.contains(v)) return;
+        voxels_[static_cast<std::size_t>(v.x) +
+                static_cast<std::size_t>(size_.x) *
+                    (static_cast<std::size_t>(v.y) +
+                     static_cast<std::size_t>(size_.y) * static_cast<std::size_t>(v.z))] = material;
+    });
 }
 
 std::uint8_t DenseGrid::cast(const Ray& ray) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -17,6 +18,18 @@ struct Ray {
     glm::dvec3 direction{0.0, 1.0, 0.0};
     double tMin = 0.0;
 };
+
+// Where the ray is inside the box [0, size]; tIn > tOut when it never is.
+struct Span {
+    double tIn, tOut;
+};
+[[nodiscard]] Span clip(const Ray& ray, glm::ivec3 size);
+// The cell of the box that the ray is in at t.
+[[nodiscard]] glm::ivec3 cellAt(const Ray& ray, double t, glm::ivec3 size);
+
+// Every solid voxel of an octree, those of one small cube after those of another.
+void forEachSolid(const OctreeView& octree,
+                  const std::function<void(glm::ivec3 voxel, std::uint8_t material)>& body);
 
 // Every voxel a byte, walked cell by cell (Amanatides & Woo 1987).
 class DenseGrid {

@@ -18,6 +18,9 @@ namespace voxprite::bench {
 // The same of benchShade: a row a model.
 [[nodiscard]] std::string shadeTable(const Json& figures);
 
+// The same of benchCast: a row a model and kind of rays, one thread.
+[[nodiscard]] std::string castTable(const Json& figures);
+
 // The same of benchRaycast: a row for each model, depth and limit.
 [[nodiscard]] std::string raycastTable(const Json& figures);
 

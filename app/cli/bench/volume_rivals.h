@@ -1,0 +1,70 @@
+// Sparse volumes of other libraries, cast through as those libraries do it. Nothing of their
+// headers shows here; see rivals.h for the rays.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "app/cli/bench/rivals.h"
+#include "core/svo/octree.h"
+
+namespace voxprite::bench {
+
+// NanoVDB's hierarchical DDA (Museth 2021) over a grid of 32-bit values. Its own `firstActive`
+// steps a whole voxel past each crossing and so through thin walls (openvdb #1500, #2009); the walk
+// here is the same but for the cell behind a crossing, whose coordinate on the axis crossed is
+// counted and not rounded, and those on the others are kept inside the cell's neighbour.
+class NanoVdbRival {
+  public:
+    explicit NanoVdbRival(const OctreeView& octree);
+    ~NanoVdbRival();
+    NanoVdbRival(const NanoVdbRival&) = delete;
+    NanoVdbRival& operator=(const NanoVdbRival&) = delete;
+
+    // One for each thread: it remembers the nodes it was in.
+    class Caster {
+      public:
+        explicit Caster(const NanoVdbRival& rival);
+        ~Caster();
+        Caster(const Caster&) = delete;
+        Caster& operator=(const Caster&) = delete;
+        [[nodiscard]] std::uint8_t cast(const Ray& ray);  // the material hit, 0 for none
+
+      private:
+        struct State;
+        std::unique_ptr<State> state_;
+    };
+
+  private:
+    struct Grid;
+    std::unique_ptr<Grid> grid_;
+};
+
+// OpenVDB's VolumeRayIntersector (Museth 2014), which finds the leaf nodes along a ray, and its DDA
+// from voxel to voxel inside them.
+class OpenVdbRival {
+  public:
+    explicit OpenVdbRival(const OctreeView& octree);
+    ~OpenVdbRival();
+    OpenVdbRival(const OpenVdbRival&) = delete;
+    OpenVdbRival& operator=(const OpenVdbRival&) = delete;
+
+    class Caster {
+      public:
+        explicit Caster(const OpenVdbRival& rival);
+        ~Caster();
+        Caster(const Caster&) = delete;
+        Caster& operator=(const Caster&) = delete;
+        [[nodiscard]] std::uint8_t cast(const Ray& ray);
+
+      private:
+        struct State;
+        std::unique_ptr<State> state_;
+    };
+
+  private:
+    struct Grid;
+    std::unique_ptr<Grid> grid_;
+};
+
+}  // namespace voxprite::bench
