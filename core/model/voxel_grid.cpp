@@ -5,6 +5,7 @@
 #include <openvdb/tree/ValueAccessor.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <vector>
 
@@ -147,13 +148,32 @@ bool leafEquals(const ConstReader& reader, const Leaf& leaf) {
 
 }  // namespace
 
+// Copying a grid costs nothing: it is the first write to one of two copies that gives it voxels of
+// its own. So whoever only reads a copy (a preview, the clipboard, a file being written behind the
+// window) never makes anybody wait.
 struct VoxelGrid::Impl {
-    Impl() = default;
-    Impl(const Impl& other) : tree(other.tree) {}
-    Impl& operator=(const Impl&) = delete;
+    // What copies share until one of them is written to.
+    struct Voxels {
+        Voxels() = default;
+        Voxels(const Voxels& other) : tree(other.tree) {}
+        Voxels& operator=(const Voxels&) = delete;
 
-    Tree tree{0};
-    Writer writer{tree};  // remembers the last leaf; cleared whenever nodes may go away
+        Tree tree{0};
+        Writer writer{tree};  // remembers the last leaf; cleared whenever nodes may go away
+    };
+    std::shared_ptr<Voxels> shared = std::make_shared<Voxels>();
+
+    [[nodiscard]] const Tree& tree() const { return shared->tree; }
+    // To be written to.
+    [[nodiscard]] Voxels& own() {
+        if (shared.use_count() > 1) {
+            shared = std::make_shared<Voxels>(*shared);
+        } else {
+            // Whoever let go of the last copy, on another thread perhaps, has done reading it.
+            std::atomic_thread_fence(std::memory_order_acquire);
+        }
+        return *shared;
+    }
 };
 
 VoxelGrid::VoxelGrid() : impl_(std::make_unique<Impl>()) {}
@@ -168,24 +188,26 @@ VoxelGrid& VoxelGrid::operator=(const VoxelGrid& other) {
 }
 
 std::uint8_t VoxelGrid::get(glm::ivec3 v) const {
-    return impl_->tree.getValue(coord(v));
+    return impl_->tree().getValue(coord(v));
 }
 
 void VoxelGrid::set(glm::ivec3 v, std::uint8_t value) {
     VOXPRITE_CHECK(isInVoxelRange(v));
+    Writer& writer = impl_->own().writer;
     if (value == 0) {
-        impl_->writer.setValueOff(coord(v), 0);
+        writer.setValueOff(coord(v), 0);
     } else {
-        impl_->writer.setValueOn(coord(v), value);
+        writer.setValueOn(coord(v), value);
     }
 }
 
 void VoxelGrid::fill(const IBox& box, std::uint8_t value) {
     if (box.empty()) return;
     VOXPRITE_CHECK(isInVoxelRange(box.min) && isInVoxelRange(box.max - 1));
-    impl_->writer.clear();
+    Impl::Voxels& own = impl_->own();
+    own.writer.clear();
     const auto fillWith = [&](const IBox& part, bool active) {
-        impl_->tree.sparseFill({coord(part.min), coord(part.max - 1)}, value, active);
+        own.tree.sparseFill({coord(part.min), coord(part.max - 1)}, value, active);
     };
     if (value != 0) {
         fillWith(box, true);
@@ -205,24 +227,24 @@ void VoxelGrid::setBlock(glm::ivec3 origin, const std::uint8_t* voxels) {
     Leaf::NodeMaskType solid;
     for (openvdb::Index n = 0; n < kLeafVoxels; ++n) solid.set(n, voxels[n] != 0);
     const openvdb::Coord position = coord(origin);
-    if (solid.isOff() && impl_->writer.probeConstLeaf(position) == nullptr &&
-        impl_->writer.getValue(position) == 0) {
+    Writer& writer = impl_->own().writer;
+    if (solid.isOff() && writer.probeConstLeaf(position) == nullptr &&
+        writer.getValue(position) == 0) {
         return;  // nothing must not grow the tree
     }
-    Leaf* leaf = impl_->writer.touchLeaf(position);
+    Leaf* leaf = writer.touchLeaf(position);
     std::memcpy(leaf->buffer().data(), voxels, kLeafVoxels);
     leaf->setValueMask(solid);
 }
 
 void VoxelGrid::clear() {
-    impl_->writer.clear();
-    impl_->tree.clear();
+    impl_->shared = std::make_shared<Impl::Voxels>();
 }
 
 std::uint64_t VoxelGrid::solidCount() const {
     std::uint64_t count = 0;
     visitTree(
-        impl_->tree, [&](const VoxelBlock& tile) { count += voxelsInCube(tile.edgeVoxels); },
+        impl_->tree(), [&](const VoxelBlock& tile) { count += voxelsInCube(tile.edgeVoxels); },
         [&](const Leaf& leaf) { count += leaf.onVoxelCount(); });
     return count;
 }
@@ -230,7 +252,7 @@ std::uint64_t VoxelGrid::solidCount() const {
 std::uint64_t VoxelGrid::cubeCount() const {
     std::uint64_t count = 0;
     visitTree(
-        impl_->tree,
+        impl_->tree(),
         [&](const VoxelBlock& tile) { count += voxelsInCube(tile.edgeVoxels / kLeafEdge); },
         [&](const Leaf&) { ++count; });
     return count;
@@ -243,32 +265,32 @@ bool VoxelGrid::empty() const {
 std::size_t VoxelGrid::bytes() const {
     using Upper = Tree::RootNodeType::ChildNodeType;
     using Lower = Upper::ChildNodeType;
-    const std::vector<openvdb::Index32> nodes = impl_->tree.nodeCount();  // leaves first
+    const std::vector<openvdb::Index32> nodes = impl_->tree().nodeCount();  // leaves first
     return sizeof(Impl) + nodes[0] * (sizeof(Leaf) + kLeafVoxels) + nodes[1] * sizeof(Lower) +
            nodes[2] * sizeof(Upper);
 }
 
 IBox VoxelGrid::bounds() const {
     openvdb::CoordBBox box;
-    if (!impl_->tree.evalActiveVoxelBoundingBox(box)) return {};
+    if (!impl_->tree().evalActiveVoxelBoundingBox(box)) return {};
     return {vector(box.min()), vector(box.max()) + 1};
 }
 
 VoxelBlock VoxelGrid::blockAt(glm::ivec3 v) const {
     const openvdb::Coord position = coord(v);
-    if (const Leaf* leaf = impl_->tree.probeConstLeaf(position)) return blockFromLeaf(*leaf);
-    const int edge = uniformEdgeAt(impl_->tree, position);
-    return {v & ~(edge - 1), edge, impl_->tree.getValue(position), nullptr};
+    if (const Leaf* leaf = impl_->tree().probeConstLeaf(position)) return blockFromLeaf(*leaf);
+    const int edge = uniformEdgeAt(impl_->tree(), position);
+    return {v & ~(edge - 1), edge, impl_->tree().getValue(position), nullptr};
 }
 
 void VoxelGrid::forEachBlock(const std::function<void(const VoxelBlock&)>& visit) const {
-    visitTree(impl_->tree, visit, [&](const Leaf& leaf) { visit(blockFromLeaf(leaf)); });
+    visitTree(impl_->tree(), visit, [&](const Leaf& leaf) { visit(blockFromLeaf(leaf)); });
 }
 
 void VoxelGrid::forEachSolid(
     const std::function<void(glm::ivec3 v, std::uint8_t value)>& visit) const {
     visitTree(
-        impl_->tree,
+        impl_->tree(),
         [&](const VoxelBlock& tile) {
             forEachVoxelOfCube(tile.origin, tile.edgeVoxels,
                                [&](glm::ivec3 v) { visit(v, tile.uniformValue); });
@@ -281,12 +303,13 @@ void VoxelGrid::forEachSolid(
 }
 
 bool VoxelGrid::operator==(const VoxelGrid& other) const {
+    if (impl_->shared == other.impl_->shared) return true;
     // Equally many solid voxels, and all of these are the same in the other.
     if (solidCount() != other.solidCount()) return false;
-    const ConstReader reader(other.impl_->tree);
+    const ConstReader reader(other.impl_->tree());
     bool equal = true;
     visitTree(
-        impl_->tree,
+        impl_->tree(),
         [&](const VoxelBlock& tile) {
             equal = equal && cubeIsUniform(reader, tile.origin, tile.edgeVoxels, tile.uniformValue);
         },
@@ -299,7 +322,7 @@ struct VoxelGrid::Reader::Impl {
 };
 
 VoxelGrid::Reader::Reader(const VoxelGrid& grid)
-    : impl_(std::make_unique<Impl>(Impl{ConstReader(grid.impl_->tree)})) {}
+    : impl_(std::make_unique<Impl>(Impl{ConstReader(grid.impl_->tree())})) {}
 VoxelGrid::Reader::~Reader() = default;
 
 std::uint8_t VoxelGrid::Reader::get(glm::ivec3 v) const {

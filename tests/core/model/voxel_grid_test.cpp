@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <functional>
 #include <limits>
 #include <set>
+#include <thread>
 
 #include "tests/support/random.h"
 #include "tests/support/voxels.h"
@@ -287,6 +290,58 @@ TEST(VoxelGrid, KnowsTheBlockOfEveryPosition) {
     expectBlock({-3, -3, -3}, {-8, -8, -8}, 8, 0);
     expectBlock({5000, 0, 0}, {4608, 0, 0}, 512, 0);
     EXPECT_EQ(grid.cubeCount(), 8u * 8 * 8 + 1);
+}
+
+TEST(VoxelGrid, CopiesShareTheirVoxelsUntilOneIsWrittenTo) {
+    VoxelGrid grid;
+    grid.set({1, 2, 3}, 7);
+    const auto* voxels = grid.blockAt({0, 0, 0}).voxels;
+    ASSERT_NE(voxels, nullptr);
+    const std::vector<std::function<void(VoxelGrid&)>> writes{
+        [](VoxelGrid& g) {
+            g.set({1, 2, 3}, 9);
+        },
+        [](VoxelGrid& g) {
+            g.fill({{0, 0, 0}, {2, 3, 4}}, 0);
+        },
+        [](VoxelGrid& g) {
+            g.setBlock({0, 0, 0}, std::array<std::uint8_t, 512>{1}.data());
+        },
+        [](VoxelGrid& g) { g.clear(); }};
+    for (const auto& write : writes) {
+        VoxelGrid copy = grid;
+        const VoxelGrid other = copy;
+        EXPECT_EQ(copy.blockAt({0, 0, 0}).voxels, voxels);
+        EXPECT_EQ(copy, grid);
+        write(copy);
+        EXPECT_NE(copy, grid);
+        EXPECT_EQ(grid.get({1, 2, 3}), 7);
+        EXPECT_EQ(other, grid);
+        // Whoever is left alone with them writes to them in place.
+        EXPECT_EQ(grid.blockAt({0, 0, 0}).voxels, voxels);
+    }
+    grid.set({1, 2, 4}, 8);
+    EXPECT_EQ(grid.blockAt({0, 0, 0}).voxels, voxels);
+}
+
+TEST(VoxelGrid, CopiesAreReadWhileOneIsWrittenTo) {
+    VoxelGrid grid;
+    grid.fill({{0, 0, 0}, {40, 40, 40}}, 3);
+    grid.set({5, 5, 5}, 4);
+    std::vector<std::jthread> readers;
+    std::atomic<int> wrong = 0;
+    for (int k = 0; k < 4; ++k) {
+        readers.emplace_back([copy = grid, &wrong] {
+            for (int i = 0; i < 2'000; ++i) {
+                const VoxelGrid again = copy;
+                if (again.get({i % 40, 7, 7}) != 3 || again.get({5, 5, 5}) != 4) ++wrong;
+            }
+        });
+    }
+    for (int i = 0; i < 2'000; ++i) grid.set({i % 40, 7, 7}, 9);
+    readers.clear();
+    EXPECT_EQ(wrong, 0);
+    EXPECT_EQ(grid.get({39, 7, 7}), 9);
 }
 
 }  // namespace
