@@ -8,12 +8,8 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
 #include "app/cli/source.h"
-#include "core/base/file.h"
-#include "core/io/apng.h"
-#include "core/io/png.h"
 #include "core/io/profile_json.h"
-#include "core/sheet/sheet.h"
-#include "core/sheet/sheet_json.h"
+#include "core/sheet/sheet_files.h"
 
 namespace voxprite::cli {
 namespace {
@@ -28,41 +24,16 @@ struct Options {
     int magnify = 4;
 };
 
-std::vector<std::string> parts(std::string_view text, char between) {
-    std::vector<std::string> found(1);
+std::vector<std::string> namesFrom(const std::string& text) {
+    std::vector<std::string> names(1);
     for (const char c : text) {
-        if (c == between) {
-            found.emplace_back();
+        if (c == ',') {
+            names.emplace_back();
         } else {
-            found.back() += c;
+            names.back() += c;
         }
     }
-    return found;
-}
-
-std::optional<std::vector<double>> numbersFrom(std::string_view text) {
-    std::vector<double> numbers;
-    for (const std::string& part : parts(text, ',')) {
-        const std::optional<double> number = numberFrom(part);
-        if (!number) return std::nullopt;
-        numbers.push_back(*number);
-    }
-    return numbers;
-}
-
-// "0,2,5-9"
-std::optional<std::vector<int>> framesFrom(std::string_view text) {
-    std::vector<int> frames;
-    for (const std::string& part : parts(text, ',')) {
-        const std::vector<std::string> ends = parts(part, '-');
-        const std::optional<int> first = indexFrom(ends.front());
-        const std::optional<int> last = indexFrom(ends.back());
-        if (!first || !last || ends.size() > 2 || *last < *first || *last >= kMaxFrames) {
-            return std::nullopt;
-        }
-        for (int frame = *first; frame <= *last; ++frame) frames.push_back(frame);
-    }
-    return frames;
+    return names;
 }
 
 Result<GameProfile> profileOf(const Options& options) {
@@ -78,35 +49,6 @@ Result<GameProfile> profileOf(const Options& options) {
         throw CLI::ValidationError(valid.error().message);
     }
     return profile;
-}
-
-// A file that is written when all of them are made.
-struct MadeFile {
-    std::string path;
-    Bytes bytes;
-};
-
-Status addPng(std::vector<MadeFile>& files, const std::string& path, const Image& image) {
-    Result<Bytes> bytes = inFile(writePng(image), path);
-    if (!bytes) return Failure(bytes.error());
-    files.push_back({path, std::move(*bytes)});
-    return {};
-}
-
-// All sprites of the sheet one after another: of a still model it turns.
-Status addTurntable(std::vector<MadeFile>& files, const Options& options, const Sheet& sheet,
-                    const Document& document) {
-    std::vector<ApngFrame> frames;
-    const std::vector<Image> cells = cellsOf(sheet, sheet.pictures.front(), options.magnify);
-    const bool moving = !document.clips.empty();
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-        frames.push_back({cells[k], moving ? frameMilliseconds(document, sheet.sprites[k].frame)
-                                           : options.turntableMilliseconds});
-    }
-    Result<Bytes> bytes = inFile(writeApng(frames), *options.turntable);
-    if (!bytes) return Failure(bytes.error());
-    files.push_back({*options.turntable, std::move(*bytes)});
-    return {};
 }
 
 Result<Report> sheet(const Options& options) {
@@ -128,20 +70,14 @@ Result<Report> sheet(const Options& options) {
     if (told) std::fprintf(stderr, "\r\033[K");
     if (!made) return Failure(made.error());
 
-    std::vector<MadeFile> files;
-    for (const SheetPicture& picture : made->pictures) {
-        const Status added =
-            addPng(files, pictureName(options.output, picture.name), picture.image);
-        if (!added) return Failure(added.error());
-    }
+    std::optional<Turntable> turntable;
     if (options.turntable) {
-        const Status added = addTurntable(files, options, *made, loaded->document);
-        if (!added) return Failure(added.error());
+        turntable = {*options.turntable, options.turntableMilliseconds, options.magnify};
     }
-    const std::string text =
-        sheetJson(*made, loaded->document, *profile, options.sheet, output.filename().string());
-    files.push_back({std::filesystem::path(output).replace_extension(".json").string(),
-                     Bytes(text.begin(), text.end())});
+    const Result<std::vector<SheetFile>> files =
+        sheetFiles(*made, loaded->document, *profile, options.sheet, output, turntable);
+    if (!files) return Failure(files.error());
+    if (const Status written = writeSheetFiles(*files); !written) return Failure(written.error());
     Report report;
     const Image& image = made->pictures.front().image;
     report.json = {{"input", textJson(options.input)},
@@ -150,13 +86,10 @@ Result<Report> sheet(const Options& options) {
                    {"anchor", {made->anchorPixel.x, made->anchorPixel.y}},
                    {"sprites", made->sprites.size()},
                    {"files", Json::array()}};
-    for (const MadeFile& file : files) {
-        if (const Status written = writeFileAtomically(file.path, file.bytes); !written) {
-            return Failure(written.error());
-        }
+    for (const SheetFile& file : *files) {
         report.json["files"].push_back(
-            {{"file", textJson(file.path)}, {"bytes", file.bytes.size()}});
-        report.text += file.path + ": " + std::to_string(file.bytes.size()) + " bytes\n";
+            {{"file", textJson(file.path.string())}, {"bytes", file.bytes.size()}});
+        report.text += file.path.string() + ": " + std::to_string(file.bytes.size()) + " bytes\n";
     }
     report.text +=
         std::to_string(made->sprites.size()) + " sprites of " + std::to_string(made->cellPx.x) +
@@ -173,14 +106,14 @@ void addLayoutOptions(CLI::App& sub, const std::shared_ptr<Options>& options) {
     addParsed(sub, "--first-yaw", "DEGREES", "The yaw of the first view (0)", numberFrom,
               [options](double yaw) { options->sheet.firstYawDegrees = yaw; });
     addParsed(sub, "--pitch", "A[,B...]", "How high the eye is: degrees, each makes a round (30)",
-              numbersFrom, [options](const std::vector<double>& pitches) {
+              numbersFromList, [options](const std::vector<double>& pitches) {
                   options->sheet.pitchesDegrees = pitches;
               });
     sub.add_option_function<std::string>(
            "--frames",
            [options](const std::string& text) {
                if (text == "all") return;
-               options->sheet.frames = framesFrom(text);
+               options->sheet.frames = framesFromList(text);
                if (!options->sheet.frames) {
                    throw CLI::ValidationError("--frames",
                                               "expected all or 0,2,5-9, got '" + text + "'");
@@ -193,7 +126,7 @@ void addLayoutOptions(CLI::App& sub, const std::shared_ptr<Options>& options) {
            [options](const std::string& text) {
                if (text == "all") return;
                options->sheet.variants =
-                   text == "none" ? std::vector<std::string>{} : parts(text, ',');
+                   text == "none" ? std::vector<std::string>{} : namesFrom(text);
            },
            "A sheet for each of these palette variants beside that of the palette itself (all)")
         ->type_name("all|none|NAME,...");

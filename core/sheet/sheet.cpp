@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <map>
+#include <mutex>
 #include <utility>
 
 #include "core/base/bytes.h"
@@ -279,6 +280,8 @@ Result<Sheet> makeSheet(const Document& document, const GameProfile& profile,
 
     std::vector<Cut> cuts(views * frames.size());
     const int all = static_cast<int>(cuts.size());
+    int done = 0;
+    std::mutex telling;
     for (std::size_t f = 0; f < frames.size(); ++f) {
         const Result<Octree> octree = bake(flatten(document, frames[f]), maker.bounds);
         if (!octree) return Failure(octree.error());
@@ -296,13 +299,14 @@ Result<Sheet> makeSheet(const Document& document, const GameProfile& profile,
                 }
                 cut->sprite.direction = direction;
                 cuts[static_cast<std::size_t>(v) * frames.size() + f] = std::move(*cut);
+                const std::scoped_lock lock(telling);
+                if (progress) progress(++done, all);
             }
         });
         if (stop.stop_requested()) return fail("cancelled");
         for (const std::optional<Error>& failure : failures) {
             if (failure) return Failure(*failure);
         }
-        if (progress) progress(static_cast<int>((f + 1) * views), all);
     }
 
     Sheet sheet;

@@ -69,7 +69,8 @@ struct Sheet {
     double depthRangeMetres = 0.0;  // grey 255 is so far before the model's centre, 0 behind it
 };
 
-using SheetProgress = std::function<void(int done, int all)>;  // sprites; from the calling thread
+// Of sprites; one call at a time, on any thread.
+using SheetProgress = std::function<void(int done, int all)>;
 
 // Casts, cuts and packs, on all cores; a pure function of its arguments. The profile's minification
 // and view step do not count: a sheet has the sigma and the directions that were asked for. Fails

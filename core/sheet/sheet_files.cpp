@@ -1,0 +1,114 @@
+#include "core/sheet/sheet_files.h"
+
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "core/base/file.h"
+#include "core/io/apng.h"
+#include "core/io/png.h"
+#include "core/sheet/sheet_json.h"
+
+namespace voxprite {
+namespace {
+
+std::vector<std::string_view> parts(std::string_view text, char between) {
+    std::vector<std::string_view> found;
+    while (true) {
+        const std::size_t end = text.find(between);
+        std::string_view part = text.substr(0, end);
+        while (part.starts_with(' ')) part.remove_prefix(1);
+        while (part.ends_with(' ')) part.remove_suffix(1);
+        found.push_back(part);
+        if (end == std::string_view::npos) return found;
+        text.remove_prefix(end + 1);
+    }
+}
+
+template <class Number>
+std::optional<Number> numberIn(std::string_view text) {
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+Status addPng(std::vector<SheetFile>& files, const std::filesystem::path& path,
+              const Image& image) {
+    Result<Bytes> bytes = inFile(writePng(image), path.string());
+    if (!bytes) return Failure(bytes.error());
+    files.push_back({path, std::move(*bytes)});
+    return {};
+}
+
+Status addTurntable(std::vector<SheetFile>& files, const Turntable& turntable, const Sheet& sheet,
+                    const Document& document) {
+    std::vector<ApngFrame> frames;
+    std::vector<Image> cells = cellsOf(sheet, sheet.pictures.front(), turntable.magnify);
+    const bool moving = !document.clips.empty();
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        frames.push_back({std::move(cells[k]),
+                          moving ? frameMilliseconds(document, sheet.sprites[k].frame)
+                                 : turntable.milliseconds});
+    }
+    Result<Bytes> bytes = inFile(writeApng(frames), turntable.path.string());
+    if (!bytes) return Failure(bytes.error());
+    files.push_back({turntable.path, std::move(*bytes)});
+    return {};
+}
+
+}  // namespace
+
+Result<std::vector<SheetFile>> sheetFiles(const Sheet& sheet, const Document& document,
+                                          const GameProfile& profile, const SheetOptions& options,
+                                          const std::filesystem::path& output,
+                                          const std::optional<Turntable>& turntable) {
+    std::vector<SheetFile> files;
+    for (const SheetPicture& picture : sheet.pictures) {
+        const Status added =
+            addPng(files, pictureName(output.string(), picture.name), picture.image);
+        if (!added) return Failure(added.error());
+    }
+    if (turntable) {
+        const Status added = addTurntable(files, *turntable, sheet, document);
+        if (!added) return Failure(added.error());
+    }
+    const std::string text =
+        sheetJson(sheet, document, profile, options, output.filename().string());
+    files.push_back({std::filesystem::path(output).replace_extension(".json"),
+                     Bytes(text.begin(), text.end())});
+    return files;
+}
+
+Status writeSheetFiles(std::span<const SheetFile> files) {
+    for (const SheetFile& file : files) {
+        if (Status written = writeFileAtomically(file.path, file.bytes); !written) return written;
+    }
+    return {};
+}
+
+std::optional<std::vector<double>> numbersFromList(std::string_view text) {
+    std::vector<double> numbers;
+    for (const std::string_view part : parts(text, ',')) {
+        const std::optional<double> number = numberIn<double>(part);
+        if (!number || !std::isfinite(*number)) return std::nullopt;
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+std::optional<std::vector<int>> framesFromList(std::string_view text) {
+    std::vector<int> frames;
+    for (const std::string_view part : parts(text, ',')) {
+        const std::vector<std::string_view> ends = parts(part, '-');
+        const std::optional<int> first = numberIn<int>(ends.front());
+        const std::optional<int> last = numberIn<int>(ends.back());
+        if (!first || !last || ends.size() > 2 || *last < *first || *last >= kMaxFrames) {
+            return std::nullopt;
+        }
+        for (int frame = *first; frame <= *last; ++frame) frames.push_back(frame);
+    }
+    return frames;
+}
+
+}  // namespace voxprite

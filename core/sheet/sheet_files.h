@@ -1,0 +1,45 @@
+// A sheet as the files that it is written as: its pictures, the text beside them, and a turntable.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/bytes.h"
+#include "core/base/result.h"
+#include "core/sheet/sheet.h"
+
+namespace voxprite {
+
+// An animated PNG of all sprites in turn: of a still model it turns.
+struct Turntable {
+    std::filesystem::path path;
+    int milliseconds = 80;  // a view, where no clip says how long a frame lasts
+    int magnify = 4;        // pixels a virtual pixel
+};
+
+// A file that is written when all of them are made.
+struct SheetFile {
+    std::filesystem::path path;
+    Bytes bytes;
+};
+
+// `output`, which ends in .png, is the sprites' picture; the others and the text are named after
+// it. Pure; fails when a picture cannot be encoded.
+[[nodiscard]] Result<std::vector<SheetFile>> sheetFiles(
+    const Sheet& sheet, const Document& document, const GameProfile& profile,
+    const SheetOptions& options, const std::filesystem::path& output,
+    const std::optional<Turntable>& turntable = {});
+// Each atomically, in order; ends at the first that fails.
+[[nodiscard]] Status writeSheetFiles(std::span<const SheetFile> files);
+
+// --- options as an artist types them
+// "30, 60"
+[[nodiscard]] std::optional<std::vector<double>> numbersFromList(std::string_view text);
+// "0,2,5-9"
+[[nodiscard]] std::optional<std::vector<int>> framesFromList(std::string_view text);
+
+}  // namespace voxprite

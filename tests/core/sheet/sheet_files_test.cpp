@@ -1,0 +1,63 @@
+// The files of a sheet, and options as they are typed.
+#include "core/sheet/sheet_files.h"
+
+#include <gtest/gtest.h>
+
+#include "core/io/png.h"
+#include "core/sheet/sheet_json.h"
+#include "tests/support/must.h"
+#include "tests/support/voxels.h"
+
+namespace voxprite {
+namespace {
+
+using Numbers = std::vector<double>;
+using Frames = std::vector<int>;
+
+TEST(SheetFiles, ArePicturesATurntableAndTheText) {
+    const Document document = test::documentOf(test::figure());
+    SheetOptions options;
+    options.directions = 3;
+    options.depths = true;
+    const GameProfile profile;
+    const Sheet sheet = must(makeSheet(document, profile, options));
+    const auto files = must(sheetFiles(sheet, document, profile, options, "out/hut.png",
+                                       Turntable{"out/turn.png", 90, 2}));
+    ASSERT_EQ(files.size(), 4u);
+    EXPECT_EQ(files[0].path, "out/hut.png");
+    EXPECT_EQ(must(readPng(files[0].bytes)), sheet.pictures[0].image);
+    EXPECT_EQ(files[1].path, "out/hut.depths.png");
+    EXPECT_EQ(must(readPng(files[1].bytes)), sheet.pictures[1].image);
+    EXPECT_EQ(files[2].path, "out/turn.png");
+    // A viewer that knows no animation shows the first view.
+    EXPECT_EQ(must(readPng(files[2].bytes)), cellsOf(sheet, sheet.pictures[0], 2)[0]);
+    EXPECT_EQ(files[3].path, "out/hut.json");
+    EXPECT_EQ(std::string(files[3].bytes.begin(), files[3].bytes.end()),
+              sheetJson(sheet, document, profile, options, "hut.png"));
+}
+
+TEST(SheetFiles, SayWhatCannotBeWritten) {
+    const std::vector<SheetFile> files{{"/nowhere/at/all.png", {1, 2, 3}}};
+    const Status written = writeSheetFiles(files);
+    ASSERT_FALSE(written);
+    EXPECT_NE(written.error().describe().find("/nowhere/at/all.png"), std::string::npos);
+}
+
+TEST(SheetLists, NumbersAreReadAsTyped) {
+    EXPECT_EQ(numbersFromList("30"), Numbers{30.0});
+    EXPECT_EQ(numbersFromList(" 30, -45.5,60 "), (Numbers{30.0, -45.5, 60.0}));
+    for (const char* wrong : {"", "30,", ",", "thirty", "30;60", "1e999", "nan", "30 60"}) {
+        EXPECT_FALSE(numbersFromList(wrong)) << wrong;
+    }
+}
+
+TEST(SheetLists, FramesAreNumbersAndRanges) {
+    EXPECT_EQ(framesFromList("0,2,5-9"), (Frames{0, 2, 5, 6, 7, 8, 9}));
+    EXPECT_EQ(framesFromList("3 - 4, 1"), (Frames{3, 4, 1}));
+    for (const char* wrong : {"", "4-2", "1-2-3", "-1", "0,", "all", "0-99999999", "2.5"}) {
+        EXPECT_FALSE(framesFromList(wrong)) << wrong;
+    }
+}
+
+}  // namespace
+}  // namespace voxprite
