@@ -1,6 +1,8 @@
 #include "core/edit/history.h"
 
 #include <algorithm>
+#include <iterator>
+#include <thread>
 #include <type_traits>
 
 #include "core/base/check.h"
@@ -46,6 +48,14 @@ void mergeAction(const Workspace& workspace, Action& step, Action&& later) {
     std::erase_if(step.parts,
                   [&](const ActionPart& part) { return changesNothing(workspace, part); });
     step.label = std::move(later.label);
+}
+
+// A step of very many voxels takes long to free: nobody waits for that.
+void discard(std::vector<Action> steps) {
+    constexpr std::size_t kMuch = std::size_t{8} << 20;
+    std::size_t bytes = 0;
+    for (const Action& step : steps) bytes += step.bytes();
+    if (bytes > kMuch) std::thread([steps = std::move(steps)] {}).detach();
 }
 
 }  // namespace
@@ -116,10 +126,13 @@ void History::clear() {
 }
 
 void History::dropRedoable() {
+    std::vector<Action> dropped;
     while (canRedo()) {
         bytes_ -= steps_.back().bytes();
+        dropped.push_back(std::move(steps_.back()));
         steps_.pop_back();
     }
+    discard(std::move(dropped));
     if (savedPosition_ > static_cast<long long>(position_)) savedPosition_ = -1;
 }
 
@@ -150,6 +163,8 @@ void History::dropOldest() {
         bytes_ -= steps_[count++].bytes();
     }
     const auto dropped = static_cast<long long>(count);
+    discard({std::make_move_iterator(steps_.begin()),
+             std::make_move_iterator(steps_.begin() + dropped)});
     steps_.erase(steps_.begin(), steps_.begin() + dropped);
     position_ -= count;
     savedPosition_ = savedPosition_ >= dropped ? savedPosition_ - dropped : -1;

@@ -259,7 +259,7 @@ std::uint64_t VoxelGrid::cubeCount() const {
 }
 
 bool VoxelGrid::empty() const {
-    return bounds().empty();  // faster than counting: what lies inside a box is skipped
+    return !impl_->tree().cbeginValueOn();  // the first that is solid is enough
 }
 
 std::size_t VoxelGrid::bytes() const {

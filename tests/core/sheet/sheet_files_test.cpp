@@ -13,6 +13,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 using Frames = std::vector<int>;
+using test::must;
 
 TEST(SheetFiles, ArePicturesATurntableAndTheText) {
     const Document document = test::documentOf(test::figure());
