@@ -75,7 +75,9 @@ bool GpuOctree::makeRoom(const OctreeView& octree) {
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
     const std::size_t nodes = wholeRows(roomy(octree.nodes.size()));
     const std::size_t payloads = wholeRows(roomy(2 * octree.payloads.size()));
-    const std::size_t rows = (nodes + payloads) / kWidth;
+    // Odd, and so never a power of two: a software driver compiles the shaders anew for a texture
+    // that is one and another that is not, just when a model outgrows its texture.
+    const std::size_t rows = ((nodes + payloads) / kWidth) | 1U;
     revision_ = nextRevision();
     status_ = {};
     if (rows > static_cast<std::size_t>(most)) {

@@ -61,6 +61,15 @@ struct Ghost {
     float dashPx = 1.0f;
 };
 
+// What is selected, and how it is seen.
+struct Marks {
+    const GpuOctree& octree;
+    const PlacedEntity& placed;
+    const Camera& camera;
+    Rgba8 tint;
+    float scale = 1.0f;  // device pixels a pixel
+};
+
 // Voxel coordinates from the middle of the octree's root cube, which shaders compute in.
 struct RootSpace {
     glm::dvec3 voxelOfMiddle{0.0};
@@ -103,6 +112,7 @@ struct VoxelView::Impl {
     gl::Program voxels;
     gl::Program shadedVoxels;   // faces cast rays of their own
     gl::Program limitedVoxels;  // the same, to a depth above the voxels
+    gl::Program markedVoxels;   // no light: covered by a tint
     gl::Program backdrop;
     gl::Program clusterVoxels;
     gl::Program shadedClusterVoxels;
@@ -113,6 +123,7 @@ struct VoxelView::Impl {
     gl::UniformBuffer viewBlock;
     PaletteTexture palette;
     OcclusionRays occlusionRays;
+    int marksPrepared = 0;  // of the two ways in which they are drawn
 
     void fillBox(VoxelViewBlock& block, const GpuOctree& octree, const PlacedEntity& placed,
                  const Camera& camera, const VoxelViewOptions& options) const;
@@ -127,6 +138,7 @@ struct VoxelView::Impl {
                       const Camera& camera, const VoxelViewOptions& options);
     void drawVoxels(const GpuOctree& octree, const Palette& colours, const RootSpace& space,
                     const VoxelViewOptions& options, const gl::DrawState& state);
+    void drawMarked(const Marks& marks, bool hidden);
 };
 
 void VoxelView::Impl::fillBox(VoxelViewBlock& block, const GpuOctree& octree,
@@ -308,32 +320,43 @@ void VoxelView::drawGhost(Frame& frame, const GpuOctree& octree, const Palette& 
         {.depthTest = gl::DepthTest::nearer, .blend = true, .cull = gl::Cull::frontFaces});
 }
 
-void VoxelView::drawMarked(Frame& frame, const GpuOctree& octree, const Palette& palette,
-                           const PlacedEntity& placed, const Camera& camera, Rgba8 tint,
-                           float scale) {
+void VoxelView::Impl::drawMarked(const Marks& marks, bool hidden) {
+    if (marks.octree.texture() == 0) return;
     constexpr float kHidden = 0.35f;  // of what is in sight
     VoxelViewOptions flat;
     flat.edges = false;
     flat.occlusion = VoxelOcclusion::off;
-    Ghost ghost{.tint = toVec4(tint),
-                .mixed = 1.0f,
-                .nearer = 1.0f + 2e-5f,
-                .outlinePx = 1.25f * scale,
-                .dashPx = 5.0f * scale};
-    const RootSpace space(octree, placed, camera);
+    Ghost look{.tint = toVec4(marks.tint),
+               .mixed = 1.0f,
+               .nearer = 1.0f + 2e-5f,
+               .outlinePx = hidden ? 0.0f : 1.25f * marks.scale,
+               .dashPx = 5.0f * marks.scale};
+    if (hidden) look.tint.w *= kHidden;
+    setView(marks.octree, marks.placed, marks.camera, flat, look);
+    gl::apply({.depthTest = hidden ? gl::DepthTest::behind : gl::DepthTest::nearer,
+               .blend = true,
+               .cull = gl::Cull::frontFaces});
+    gl::useProgram(markedVoxels);
+    glDrawArrays(GL_TRIANGLES, 0, 36);
+}
+
+void VoxelView::drawMarked(Frame& frame, const GpuOctree& octree, const PlacedEntity& placed,
+                           const Camera& camera, Rgba8 tint, float scale) {
     frame.bind();
     for (const bool hidden : {true, false}) {
-        Ghost look = ghost;
-        if (hidden) {
-            look.tint.w *= kHidden;
-            look.outlinePx = 0.0f;
-        }
-        impl_->setView(octree, placed, camera, flat, look);
-        impl_->drawVoxels(octree, palette, space, flat,
-                          {.depthTest = hidden ? gl::DepthTest::behind : gl::DepthTest::nearer,
-                           .blend = true,
-                           .cull = gl::Cull::frontFaces});
+        impl_->drawMarked({octree, placed, camera, tint, scale}, hidden);
     }
+}
+
+bool VoxelView::prepareMarks(const GpuOctree& octree, const PlacedEntity& placed,
+                             const Camera& camera) {
+    if (impl_->marksPrepared == 2 || octree.texture() == 0) return false;
+    // Drivers make a program when it is first drawn with, anew for each state that it is drawn in.
+    Frame unseen({1, 1});
+    unseen.begin(Rgba8(0));
+    const bool hidden = impl_->marksPrepared++ == 0;
+    impl_->drawMarked({octree, placed, camera, Rgba8(255, 255, 255, 1)}, hidden);
+    return true;
 }
 
 Result<VoxelView> VoxelView::create() {
@@ -356,12 +379,16 @@ Result<VoxelView> VoxelView::create() {
     Result<gl::Program> shaded =
         gl::compileProgram("voxel_view.vert", "voxel_view.frag", {"FACE_SHADE"});
     if (!shaded) return tl::unexpected(shaded.error());
+    Result<gl::Program> marked =
+        gl::compileProgram("voxel_view.vert", "voxel_view.frag", {"MARKED"});
+    if (!marked) return tl::unexpected(marked.error());
     Result<gl::Program> shadedClusters =
         gl::compileProgram("cluster_view.vert", "cluster_view.frag", {"FACE_SHADE"});
     if (!shadedClusters) return tl::unexpected(shadedClusters.error());
     impl->voxels = std::move(*voxels);
     impl->shadedVoxels = std::move(*shaded);
     impl->limitedVoxels = std::move(*limited);
+    impl->markedVoxels = std::move(*marked);
     impl->clusterVoxels = std::move(*clusterVoxels);
     impl->shadedClusterVoxels = std::move(*shadedClusters);
     impl->clusterDepth = std::move(*clusterDepth);

@@ -58,8 +58,12 @@ class VoxelView {
     // Voxels of the model that are selected: covered by the tint (its alpha says how much), with a
     // dashed line around them at `scale` device pixels a pixel. Where something hides them, a
     // faint tint alone.
-    void drawMarked(Frame& frame, const GpuOctree& octree, const Palette& palette,
-                    const PlacedEntity& placed, const Camera& camera, Rgba8 tint, float scale);
+    void drawMarked(Frame& frame, const GpuOctree& octree, const PlacedEntity& placed,
+                    const Camera& camera, Rgba8 tint, float scale);
+    // A software driver compiles what draws marks when they are first drawn, which takes longer
+    // than a frame may. Called while nothing else is to do, this has it done before, a step a call;
+    // false: there is nothing left to do. Any octree and view will do.
+    bool prepareMarks(const GpuOctree& octree, const PlacedEntity& placed, const Camera& camera);
 
   private:
     struct Impl;

@@ -7,12 +7,20 @@
 
 layout(location = 0) out vec4 colour;
 
-// The opacity of a line along those edges of the face at which the voxels end.
-float outline(Hit hit, vec2 position, vec2 footprint, inout Cursor cursor) {
+// Of a line between two faces that are both seen.
+const float ghost_crease = 0.25;
+
+// The opacity of a line along those edges of the face at which the voxels end: whole where the
+// surface turns away from the eye, faint where it goes on around the corner, or every step of a
+// curved surface would be as loud as its outline.
+float outline(Hit hit, vec3 direction, vec2 position, vec2 footprint, inout Cursor cursor) {
     ivec3 u = hit.axis == 0 ? ivec3(0, 1, 0) : ivec3(1, 0, 0);
     ivec3 v = hit.axis == 2 ? ivec3(0, 1, 0) : ivec3(0, 0, 1);
     vec2 low = 1.0 - vec2(solidAt(hit.cell - u, cursor), solidAt(hit.cell - v, cursor));
     vec2 high = 1.0 - vec2(solidAt(hit.cell + u, cursor), solidAt(hit.cell + v, cursor));
+    vec2 toward = hit.axis == 0 ? direction.yz : hit.axis == 1 ? direction.xz : direction.xy;
+    low *= mix(vec2(1.0), vec2(ghost_crease), greaterThan(toward, vec2(0.0)));
+    high *= mix(vec2(1.0), vec2(ghost_crease), lessThan(toward, vec2(0.0)));
     vec2 at_px = fract(position) / footprint;
     vec2 end_px = (1.0 - fract(position)) / footprint;
     vec2 line = max(low * clamp(ghost_outline_px + 0.5 - at_px, 0.0, 1.0),
@@ -37,11 +45,15 @@ void main() {
     if (hit.material == 0u) discard;
 
     FacePoint point = facePoint(hit, screen, origin, direction);
+#ifdef MARKED
+    colour = vec4(1.0);  // all of it is the tint's
+#else
     colour = vec4(voxelColour(hit, point, cursor), 1.0);
+#endif
     gl_FragDepth = depthAt(hit.t);
     if (ghost_tint.a > 0.0) {
         float line = ghost_outline_px > 0.0
-                         ? outline(hit, point.position, point.footprint, cursor)
+                         ? outline(hit, direction, point.position, point.footprint, cursor)
                          : 0.0;
         colour = ghostColour(colour.rgb, line);
         gl_FragDepth = min(1.0, gl_FragDepth * ghost_nearer);

@@ -40,6 +40,9 @@ void addEdit(CLI::App& app, Command& command) {
             "Where unsaved work is copied to, and what a crash left is looked for");
     addPath("--dump-layout", options->layoutDump, "FILE",
             "Write where widgets lie on screen, for tests");
+    addPath("--frame-times", options->frameTimes, "FILE",
+            "Write how long the window's thread was busy in the longest frames of each stretch "
+            "that the script marks");
     addParsed(sub, "--window", "WxH", "The window's size at content scale 1", sizeFrom,
               [options](glm::ivec2 size) { options->windowPx = size; });
     sub.add_option_function<double>(

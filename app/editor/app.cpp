@@ -68,6 +68,8 @@ void App::frame(const Theme& theme, const std::vector<InputEvent>& events) {
     runCommands();
     if (files_.takeReplaced()) startOver();
     lockCameras();
+    placeCameras();
+    voxels_.follow(session_, settings_);
     clock_.end(FramePart::work);
     renderViews();
     clock_.end(FramePart::draw);
@@ -78,8 +80,8 @@ void App::frame(const Theme& theme, const std::vector<InputEvent>& events) {
 
 void App::performEdits() {
     for (Action& action : edits_.take()) {
-        // One long step at a time: the others come after it.
-        if (files_.blocks()) {
+        // One long step at a time: the others come after it, but for those of the same drag.
+        if (files_.blocks() || (files_.drags() && action.mergeKey == 0)) {
             edits_.push(std::move(action));
         } else {
             context_.perform(std::move(action));
@@ -95,8 +97,9 @@ void App::runCommands() {
         const Command& command = commandOf(id);
         // A file holds what is seen: what a tool is still making, too.
         const bool settles = command.settles || command.menu == MenuId::file;
-        if (!late && !files_.blocks() && settles) keepToolsWork();
-        if (late || files_.blocks()) {
+        const bool waits = late || files_.blocks() || files_.drags();
+        if (!waits && settles) keepToolsWork();
+        if (waits || files_.blocks()) {
             commands_.ask(id);
         } else if (isEnabled(id, context_)) {
             command.run(context_);
@@ -185,6 +188,7 @@ void App::drawOverlays(Ui& ui, const Layout& layout) {
     overlays_.palette.draw(ui);
     overlays_.preferences.draw(ui);
     overlays_.tour.draw(ui, layout);
+    if (auto sheet = overlays_.sheet.draw(ui)) files_.exportSheet(std::move(*sheet));
     if (const auto saved = overlays_.cameras.draw(ui, voxels_.camera())) {
         voxels_.camera() = cameraFrom(*saved, sphereInEditView(session_));
         sprite_.camera() = cameraFrom(*saved, sphereInSpriteView(session_));
@@ -233,12 +237,14 @@ void App::startOver() {
     clock_.forget();
 }
 
+void App::placeCameras() {
+    if (framed_) return;
+    voxels_.frameModel(session_);
+    sprite_.frameModel(session_);
+    framed_ = true;
+}
+
 void App::renderViews() {
-    if (!framed_) {
-        voxels_.frameModel(session_);
-        sprite_.frameModel(session_);
-        framed_ = true;
-    }
     const OctreeChanges changes = session_.takeOctreeChanges();
     const OctreeView view = session_.shownOctree().view(session_.shownBounds());
     if (changes.any() || octree_.size() != view.size) octree_.update(view, changes);
@@ -295,7 +301,7 @@ std::string App::openDialog() const {
 bool App::animates() const {
     if (sprite_.animates(settings_) || files_.isWorking() || commands_.any()) return true;
     if (voxels_.turns() || voxels_.prepares() || sprite_.turns()) return true;
-    if (voxels_.tools().previewsLater()) return true;
+    if (voxels_.tools().previewsLater() || overlays_.sheet.working()) return true;
     return settings_.view.playing && session_.frames() > 1;
 }
 
@@ -316,6 +322,7 @@ void App::dumpLayout() {
                          {"dialog", openDialog()},
                          {"colour", settings_.tool.colour},
                          {"toast", toasts_.newest()}};
+    if (overlays_.sheet.isOpen()) state["sheet"] = overlays_.sheet.said();
     if (const auto& floating = session_.selection().floating()) state["amount"] = floating->amount;
     const SceneFigures& sprites = sprite_.figures();
     state["sprites"] = {{"entities", sprites.entities},

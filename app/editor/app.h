@@ -47,7 +47,8 @@ class App {
     // A script waits for what goes on behind the window; an artist never does.
     void finishWork() {
         files_.finishWork();
-        voxels_.tools().finishPreview(session_);
+        voxels_.finishWork(session_);
+        overlays_.sheet.finishWork();
     }
     // Of the frames since a document was opened; whoever runs them begins and finishes each.
     [[nodiscard]] FrameClock& clock() { return clock_; }
@@ -79,6 +80,7 @@ class App {
     void buildUi(Ui& ui);
     void drawDock(Ui& ui);
     void drawOverlays(Ui& ui, const Layout& layout);
+    void placeCameras();
     void renderViews();
     void lockCameras();
     void dumpLayout();

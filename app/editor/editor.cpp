@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/editor/app.h"
+#include "app/editor/window/frame_report.h"
 #include "app/editor/window/imgui_host.h"
 #include "app/editor/window/play_script.h"
 #include "core/base/file.h"
@@ -65,6 +66,7 @@ class Editor {
     App& app_;
     std::optional<Replay> replay_;
     std::ofstream recording_;
+    FrameReport times_;
     std::vector<std::filesystem::path> screenshots_;  // of this frame
     long long frame_ = 0;
     int unsettled_ = kFramesToSettle;
@@ -100,6 +102,8 @@ std::vector<InputEvent> Editor::eventsOfFrame() {
                 events.push_back(std::move(*event));
             } else if (auto* shot = std::get_if<ScriptScreenshot>(&line.what)) {
                 screenshots_.push_back(std::move(shot->path));
+            } else if (auto* mark = std::get_if<ScriptMark>(&line.what)) {
+                times_.begin(std::move(mark->name), app_.clock());
             } else {
                 quits_ = true;
             }
@@ -168,7 +172,7 @@ Status Editor::run() {
         ++frame_;
         unsettled_ = std::max(0, unsettled_ - 1);
     }
-    return {};
+    return options_.frameTimes ? times_.write(*options_.frameTimes, app_.clock()) : Status();
 }
 
 // For a hand the window is there at once and reads the file behind itself; what could not be a

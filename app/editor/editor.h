@@ -29,6 +29,9 @@ struct EditorOptions {
     std::optional<std::filesystem::path> recovery;
     // Where widgets and views lie on screen is written here whenever it changes, for tests.
     std::optional<std::filesystem::path> layoutDump;
+    // Where the window's thread spent the longest frames of each stretch that the script marks
+    // (window/frame_report.h) is written here at the end.
+    std::optional<std::filesystem::path> frameTimes;
 };
 
 // Returns when the user closes the window. Fails when there is no display, no OpenGL 4.5, or a

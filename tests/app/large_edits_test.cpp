@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/session/selection_edits.h"
+#include "core/edit/scene_edits.h"
 #include "core/svo/bake.h"
 #include "tests/app/tool_hand.h"
 #include "tests/support/voxels.h"
@@ -190,6 +191,26 @@ TEST_F(LargeEdits, ChangesOfTheSceneAreLongWhereMuchIsSeenAnew) {
     ASSERT_TRUE(session.perform(makeAction("more", more)));
     EXPECT_TRUE(session.isLong(makeAction("hide", hidden)));
     EXPECT_FALSE(session.isLong(makeAction("rename", renamed)));
+}
+
+TEST_F(LargeEdits, StepsOfADragAreMadeOfACopy) {
+    const std::size_t before = session.history().steps().size();
+    const std::uint64_t key = session.newMergeKey();
+    for (const int x : {3, 11}) {
+        const Workspace copy = session.workspace();
+        auto prepared = Session::prepare(copy, session.frame(),
+                                         moveObject(session.document(), 1, {x, -1, 2}, key), {});
+        ASSERT_TRUE(prepared);
+        EXPECT_EQ(session.workspace().document, copy.document);
+        session.commit(std::move(**prepared));
+        EXPECT_EQ(session.bounds(), (IBox{{x, -1, 2}, {x + kEdge, kEdge - 1, kEdge + 2}}));
+        EXPECT_EQ(session.history().steps().size(), before + 1) << "one drag, one step";
+    }
+    const Result<Octree> baked = bake(flatten(session.document(), 0), session.bounds());
+    ASSERT_TRUE(baked);
+    EXPECT_EQ(session.octree().canonical(session.bounds())->nodes, baked->nodes);
+    ASSERT_TRUE(session.undo());
+    EXPECT_EQ(session.bounds(), kCube);
 }
 
 }  // namespace

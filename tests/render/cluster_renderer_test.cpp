@@ -189,7 +189,7 @@ TEST_F(ClusterPictures, TheVoxelViewLosesNothing) {
                 options.clusterBudgetPx = 0.0;
                 Frame frame(kViewport);
                 view_->draw(frame, model->rays.gpu, model->rays.palette, placed, eye, options);
-                view_->drawMarked(frame, marked.gpu, marked.palette, part, eye, tint, 1.0f);
+                view_->drawMarked(frame, marked.gpu, part, eye, tint, 1.0f);
                 return frame.readColour();
             };
             const Image rays = draw(nullptr);

@@ -119,7 +119,7 @@ TEST_F(VoxelGhosts, MarkedVoxelsCoverTheModelsOwnSurface) {
     const std::vector<float> alone = frame.readDepth();
     view.draw(frame, model.gpu, model.palette, placed, camera, options);
     const Picture before{frame.readColour(), frame.readDepth()};
-    view.drawMarked(frame, marked.gpu, marked.palette, placed, camera, kTint, 1.0f);
+    view.drawMarked(frame, marked.gpu, placed, camera, kTint, 1.0f);
     const Picture after{frame.readColour(), frame.readDepth()};
 
     EXPECT_EQ(after.depth, before.depth);

@@ -12,10 +12,9 @@ void CommandContext::report(const Status& status) const {
 }
 
 void CommandContext::perform(Action action) {
-    // The steps of a drag follow each other from frame to frame: they are made as they come.
-    if (action.mergeKey != 0 || !session.isLong(action)) {
-        return report(session.perform(std::move(action)));
-    }
+    if (!session.isLong(action)) return report(session.perform(std::move(action)));
+    // The steps of a drag follow each other from frame to frame.
+    if (action.mergeKey != 0) return files.drag(std::move(action));
     std::string title = action.label;
     const auto shared = std::make_shared<Action>(std::move(action));
     files.step(std::move(title), [shared](const Session& s, const Progress& progress) {

@@ -24,6 +24,7 @@ enum class CommandId : std::uint8_t {
     save,
     saveAs,
     exportOctree,
+    exportSheet,
     openProfile,
     saveProfile,
     saveProfileAs,

@@ -3,6 +3,7 @@
 
 #include "app/editor/commands/command_context.h"
 #include "app/editor/commands/tables.h"
+#include "app/editor/panels/overlays.h"
 #include "app/editor/session/file_flow.h"
 #include "app/editor/views/sprite_export.h"
 #include "app/editor/window/icons.h"
@@ -54,6 +55,18 @@ std::span<const Command> fileCommands() {
                 .icon = icon::kExport,
                 .chords = {control(GLFW_KEY_E)},
                 .run = [](CommandContext& c) { c.files.exportOctree(); }},
+        Command{.id = exportSheet,
+                .tag = "export_sheet",
+                .menu = MenuId::file,
+                .name = "Export sprite sheet…",
+                .icon = icon::kGrid,
+                .chords = {controlShift(GLFW_KEY_E)},
+                .settles = true,
+                .run =
+                    [](CommandContext& c) {
+                        c.overlays.sheet.open(c.session, c.settings.window.folder);
+                    },
+                .enabled = hasVoxels},
         Command{.id = saveSprite,
                 .tag = "save_sprite",
                 .menu = MenuId::file,

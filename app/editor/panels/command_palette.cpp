@@ -55,6 +55,9 @@ std::vector<const Command*> commandsMatching(std::string_view query) {
     if (!query.empty()) {
         std::ranges::stable_sort(found, std::ranges::greater(),
                                  [](const auto& f) { return f.first; });
+        // Beside what has the letters together, those that merely have them somewhere are noise.
+        const int least = found.empty() ? 0 : found.front().first / 2;
+        std::erase_if(found, [&](const auto& f) { return f.first < least; });
     }
     std::vector<const Command*> sorted;
     sorted.reserve(found.size());

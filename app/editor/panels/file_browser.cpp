@@ -17,6 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int kMostNotes = 4;
+
 std::string lower(std::string text) {
     std::ranges::transform(text, text.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -190,32 +192,82 @@ std::optional<fs::path> FileBrowser::accept() {
     return path;
 }
 
-void FileBrowser::drawNote(Ui& ui) {
+void FileBrowser::findLosses() {
     const std::string extension = endingFor(name_);
-    if (request_.losses && lossesFor_ != extension) {
-        losses_ = request_.losses("model" + extension);
-        lossesFor_ = extension;
+    if (!request_.losses || lossesFor_ == extension) return;
+    losses_ = request_.losses("model" + extension);
+    lossesFor_ = extension;
+}
+
+int FileBrowser::noteLines() const {
+    if (!problem_.empty()) return 1;
+    return std::clamp(static_cast<int>(losses_.size()), 1, kMostNotes);
+}
+
+void FileBrowser::drawNote(Ui& ui) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::BeginGroup();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0f, 0.0f});
+    if (!problem_.empty() || losses_.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.danger);
+        ImGui::TextUnformatted(problem_.c_str());
+        ImGui::PopStyleColor();
+    } else {
+        ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.textDim);
+        const int lines = noteLines();
+        const int all = static_cast<int>(losses_.size());
+        for (int k = 0; k < lines; ++k) {
+            const bool last = k + 1 == lines && all > lines;
+            const std::string text =
+                last ? "and " + std::to_string(all - k) + " more things are left out"
+                     : losses_[static_cast<std::size_t>(k)];
+            ImGui::TextUnformatted((std::string(icon::kWarning) + "  " + text).c_str());
+        }
+        ImGui::PopStyleColor();
     }
-    const bool problem = !problem_.empty() || losses_.empty();
-    std::string text = problem ? problem_ : losses_.front();
-    if (!problem && losses_.size() > 1) {
-        text += " (+ " + std::to_string(losses_.size() - 1) + ")";
-    }
-    ImGui::PushStyleColor(ImGuiCol_Text, problem ? ui.theme.danger : ui.theme.textDim);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopStyleColor();
-    ui.probe.markItem("browser.note");
-    if (problem || !ImGui::IsItemHovered()) return;
+    ImGui::PopStyleVar();
+    ImGui::EndGroup();
+    ui.probe.mark("browser.note", corner, ImGui::GetItemRectMax());
+    if (!problem_.empty() || losses_.empty() || !ImGui::IsItemHovered()) return;
     ImGui::BeginTooltip();
     for (const std::string& loss : losses_) ImGui::TextUnformatted(loss.c_str());
     ImGui::EndTooltip();
+}
+
+void FileBrowser::drawFormats(Ui& ui, float width) {
+    const std::string chosen = endingFor(name_);
+    const auto labelOf = [&](const std::string& ending) {
+        return request_.formatName(ending) + "  " + ending;
+    };
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::BeginCombo("##format", labelOf(chosen).c_str(), ImGuiComboFlags_HeightLarge)) {
+        for (const std::string& ending : request_.extensions) {
+            if (ImGui::Selectable(labelOf(ending).c_str(), ending == chosen)) {
+                // The ending that the name has gives way, if it is one of a format.
+                fs::path name(name_);
+                const std::string now = lower(name.extension().string());
+                if (std::ranges::find(request_.extensions, now) != request_.extensions.end()) {
+                    name.replace_extension();
+                }
+                name_ = name.string() + ending;
+                problem_.clear();
+                overwrite_.clear();
+            }
+            ui.probe.markItem("browser.format" + ending);
+        }
+        ImGui::EndCombo();
+    }
+    ui.probe.markItem("browser.formats");
 }
 
 void FileBrowser::drawFooter(Ui& ui, bool& accepted) {
     const Theme& theme = ui.theme;
     const ImVec2 button(theme.px(96), theme.px(30));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, theme.px(10, 7));
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * (button.x + theme.px(8)));
+    const float formats = choosesFormat() ? theme.px(188) : 0.0f;
+    const float beside =
+        2 * (button.x + theme.px(8)) + (formats > 0.0f ? formats + theme.px(8) : 0.0f);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - beside);
     if (!appeared_) ImGui::SetKeyboardFocusHere();
     appeared_ = true;
     if (ImGui::InputTextWithHint(
@@ -225,6 +277,10 @@ void FileBrowser::drawFooter(Ui& ui, bool& accepted) {
     }
     if (ImGui::IsItemEdited()) problem_.clear();
     ui.probe.markItem("browser.name");
+    if (formats > 0.0f) {
+        ImGui::SameLine(0.0f, theme.px(8));
+        drawFormats(ui, formats);
+    }
     ImGui::PopStyleVar();
     ImGui::SameLine(0.0f, theme.px(8));
     if (ImGui::Button("Cancel", button)) open_ = false;
@@ -257,7 +313,9 @@ std::optional<fs::path> FileBrowser::draw(Ui& ui) {
         ImGui::Dummy(theme.px(0, 2));
         drawPath(ui);
         bool accepted = false;
-        const float below = theme.px(30 + 14 + 20);
+        findLosses();
+        const float line = ImGui::GetTextLineHeight();
+        const float below = theme.px(30 + 14 + 20) + line * static_cast<float>(noteLines() - 1);
         drawList(ui, ImGui::GetContentRegionAvail().y - below, accepted);
         drawNote(ui);
         drawFooter(ui, accepted);

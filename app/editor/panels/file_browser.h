@@ -20,6 +20,9 @@ class FileBrowser {
         std::vector<std::string> extensions{};  // ".vox", ...; the first is added when saving
         std::filesystem::path folder{};         // where to start
         std::string name{};                     // suggested
+        // What people call the format of this ending: where there is more than one, it can be
+        // chosen by that when saving.
+        std::function<std::string(const std::string& ending)> formatName{};
         // What a file of this name would leave out, a sentence each; said before it is written.
         std::function<std::vector<std::string>(const std::filesystem::path&)> losses{};
     };
@@ -40,7 +43,13 @@ class FileBrowser {
     // The ending that a file of this name is saved with.
     [[nodiscard]] std::string endingFor(const std::filesystem::path& path) const;
     [[nodiscard]] std::optional<std::filesystem::path> accept();
-    // Why the name cannot be used, else what its format leaves out.
+    [[nodiscard]] bool choosesFormat() const {
+        return request_.saving && request_.formatName && request_.extensions.size() > 1;
+    }
+    void drawFormats(Ui& ui, float width);
+    void findLosses();
+    // Why the name cannot be used, else what its format leaves out; so many lines.
+    [[nodiscard]] int noteLines() const;
     void drawNote(Ui& ui);
     void drawFooter(Ui& ui, bool& accepted);
 

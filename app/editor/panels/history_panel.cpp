@@ -1,9 +1,36 @@
 // The steps that can be undone and redone, newest at the bottom; a click goes there.
+#include <cmath>
+
 #include "app/editor/panels/number_text.h"
 #include "app/editor/panels/panels.h"
 #include "app/editor/panels/widgets.h"
 
 namespace voxprite::editor {
+namespace {
+
+std::uint64_t voxelsOf(const Action& step) {
+    std::uint64_t count = 0;
+    for (const ActionPart& part : step.parts) {
+        if (const auto* patch = std::get_if<VoxelPatch>(&part)) count += patch->changes.size();
+    }
+    return count;
+}
+
+// At the right end of the row that was drawn last: how many voxels a step changed.
+void drawCount(Ui& ui, std::uint64_t voxels) {
+    if (voxels == 0) return;
+    const std::string text = grouped(voxels);
+    const ImFont& font = *ui.theme.fonts.small;
+    const float width = font.CalcTextSizeA(font.FontSize, FLT_MAX, 0.0f, text.c_str()).x;
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    ImGui::GetWindowDrawList()->AddText(
+        &font, font.FontSize,
+        {max.x - width - ui.theme.px(10), std::round((min.y + max.y - font.FontSize) * 0.5f)},
+        ui.theme.textFaint, text.c_str());
+    tooltip(ui, (text + (voxels == 1 ? " voxel" : " voxels") + " changed").c_str());
+}
+
+}  // namespace
 
 void drawHistory(Ui& ui) {
     const History& history = ui.session.history();
@@ -24,8 +51,10 @@ void drawHistory(Ui& ui) {
             "What undo and redo hold in memory. The oldest steps go first; the limit is in the "
             "preferences.");
     ImGui::BeginChild("steps");
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ui.theme.px(0, 4));
-    if (ImGui::Selectable("  As opened", position == 0)) goTo(0);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0f, 0.0f});
+    ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0f, 0.5f});
+    const ImVec2 row(0.0f, ui.theme.px(22));
+    if (ImGui::Selectable("  As opened", position == 0, 0, row)) goTo(0);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(steps.size()));
     while (clipper.Step()) {
@@ -35,12 +64,13 @@ void drawHistory(Ui& ui) {
             if (undone) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.textFaint);
             ImGui::PushID(i);
             const std::string label = "  " + steps[index].label;
-            if (ImGui::Selectable(label.c_str(), index + 1 == position)) goTo(index + 1);
+            if (ImGui::Selectable(label.c_str(), index + 1 == position, 0, row)) goTo(index + 1);
+            drawCount(ui, voxelsOf(steps[index]));
             ImGui::PopID();
             if (undone) ImGui::PopStyleColor();
         }
     }
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
     ImGui::EndChild();
 }
 

@@ -18,9 +18,15 @@ std::string grouped(std::uint64_t number) {
 std::string byteText(std::uint64_t bytes) {
     if (bytes < 1024) return std::to_string(bytes) + " B";
     const double kib = static_cast<double>(bytes) / 1024.0;
+    const double mib = kib / 1024.0;
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), kib < 1024.0 ? "%.1f KiB" : "%.1f MiB",
-                  kib < 1024.0 ? kib : kib / 1024.0);
+    if (kib < 1024.0) {
+        std::snprintf(text.data(), text.size(), "%.1f KiB", kib);
+    } else if (mib < 1024.0) {
+        std::snprintf(text.data(), text.size(), "%.1f MiB", mib);
+    } else {
+        std::snprintf(text.data(), text.size(), "%.4g GiB", mib / 1024.0);
+    }
     return text.data();
 }
 

@@ -10,6 +10,7 @@
 #include "app/editor/commands/command_context.h"
 #include "app/editor/panels/panels.h"
 #include "app/editor/panels/widgets.h"
+#include "app/editor/session/file_flow.h"
 #include "app/editor/session/object_selection.h"
 #include "app/editor/window/icons.h"
 #include "core/edit/scene_edits.h"
@@ -63,8 +64,11 @@ void axisButtons(Ui& ui, std::array<CommandId, 3> commands) {
 
 void drawPlacement(Ui& ui, int node) {
     const Document& document = ui.session.document();
-    const auto& keys = document.nodes[static_cast<std::size_t>(node)].placements;
-    const glm::ivec3 before = keys.front().placement.translation;
+    // What a drag has asked for may not be in force yet.
+    const SceneState* dragged = ui.context.files.draggedScene();
+    const auto& nodes = dragged != nullptr ? dragged->nodes : document.nodes;
+    const glm::ivec3 before =
+        nodes[static_cast<std::size_t>(node)].placements.front().placement.translation;
     glm::dvec3 place(before);
     if (vectorRow(ui, "object.position", "Position", place, {-32768, 32767, 0.1, "%.0f"},
                   "In voxels, in the space of its group")) {

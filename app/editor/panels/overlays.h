@@ -4,6 +4,7 @@
 #include "app/editor/panels/command_palette.h"
 #include "app/editor/panels/preferences.h"
 #include "app/editor/panels/saved_cameras.h"
+#include "app/editor/panels/sheet_dialog.h"
 #include "app/editor/panels/tour.h"
 
 namespace voxprite::editor {
@@ -13,12 +14,14 @@ struct Overlays {
     Preferences preferences;
     SavedCameras cameras;
     Tour tour;
+    SheetDialog sheet;
 
-    // "palette", "preferences", "cameras", "tour" or nothing.
+    // "palette", "preferences", "cameras", "sheet", "tour" or nothing.
     [[nodiscard]] const char* openName() const {
         if (palette.isOpen()) return "palette";
         if (preferences.isOpen()) return "preferences";
         if (cameras.isOpen()) return "cameras";
+        if (sheet.isOpen()) return "sheet";
         return tour.isOpen() ? "tour" : "";
     }
 };

@@ -80,6 +80,44 @@ void PalettePanel::drawColour(Ui& ui) {
     ui.probe.markItem("palette.name");
 }
 
+// Degrees and per cent; true when it changed the colour.
+bool PalettePanel::drawHueRow(Ui& ui, Rgba8 shown, std::array<float, 3>& rgb) {
+    struct Part {
+        const char* name;
+        const char* format;
+        double most;
+    };
+    constexpr std::array kHueParts{Part{"H", "H %.0f°", 360.0}, Part{"S", "S %.0f %%", 100.0},
+                                   Part{"V", "V %.0f %%", 100.0}};
+    if (shown != hsvOf_) {
+        ImGui::ColorConvertRGBtoHSV(rgb[0], rgb[1], rgb[2], hsv_[0], hsv_[1], hsv_[2]);
+        hsvOf_ = shown;
+    }
+    const float gap = ui.theme.px(4);
+    const float width = std::floor((ui.theme.px(216) - 2 * gap) / 3.0f);
+    bool changed = false;
+    for (std::size_t i = 0; i < kHueParts.size(); ++i) {
+        const Part& part = kHueParts[i];
+        if (i > 0) ImGui::SameLine(0.0f, gap);
+        ImGui::PushID(part.name);
+        double value = static_cast<double>(hsv_[i]) * part.most;
+        const double least = 0.0;
+        ImGui::SetNextItemWidth(width);
+        if (ImGui::DragScalar("##part", ImGuiDataType_Double, &value, 0.5f, &least, &part.most,
+                              part.format, ImGuiSliderFlags_AlwaysClamp)) {
+            hsv_[i] = static_cast<float>(value / part.most);
+            changed = true;
+        }
+        ui.edits.watchItem(ui.session);
+        ui.probe.markItem(std::string("palette.picker.") + part.name);
+        ImGui::PopID();
+    }
+    if (!changed) return false;
+    ImGui::ColorConvertHSVtoRGB(hsv_[0], hsv_[1], hsv_[2], rgb[0], rgb[1], rgb[2]);
+    hsvOf_ = colourOf(rgb);
+    return true;
+}
+
 void PalettePanel::drawPicker(Ui& ui) {
     const Theme& theme = ui.theme;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, theme.px(12, 12));
@@ -95,14 +133,14 @@ void PalettePanel::drawPicker(Ui& ui) {
         const Rgba8 shown = ui.session.shownPalette().colours[editor_.inHand()];
         std::array<float, 3> rgb = floatsOf(shown);
         ImGui::SetNextItemWidth(theme.px(216));
-        const bool changed = ImGui::ColorPicker3(
+        bool changed = ImGui::ColorPicker3(
             "##picker", rgb.data(),
             ImGuiColorEditFlags_PickerHueBar | ImGuiColorEditFlags_NoSidePreview |
                 ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_NoLabel |
-                ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_DisplayHSV |
-                ImGuiColorEditFlags_DisplayHex);
+                ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_DisplayHex);
         ui.edits.watchItem(ui.session);
         ui.probe.markItem("palette.picker");
+        changed = drawHueRow(ui, shown, rgb) || changed;
         if (changed && colourOf(rgb) != shown) {
             ui.edits.push(editor_.setColour(colourOf(rgb), ui.edits.key()));
         }

@@ -22,6 +22,7 @@ class PalettePanel {
     // palette_panel.cpp
     void drawColour(Ui& ui);
     void drawPicker(Ui& ui);
+    [[nodiscard]] bool drawHueRow(Ui& ui, Rgba8 shown, std::array<float, 3>& rgb);
     void drawToolbar(Ui& ui);
     void drawRamp(Ui& ui);
     // palette_swatches.cpp
@@ -39,6 +40,10 @@ class PalettePanel {
     std::uint8_t menuFor_ = 0;  // the colour whose menu is open
     std::size_t dragged_ = 0;   // the slot that is dragged; 0: none
     std::string name_;          // of the variant that is being renamed
+    // The colour that the picker shows as hue, saturation and value, each 0 ... 1: what eight bits
+    // a channel would forget, such as the hue of a grey.
+    std::array<float, 3> hsv_{};
+    Rgba8 hsvOf_{0};
 };
 
 }  // namespace voxprite::editor

@@ -10,6 +10,11 @@ namespace {
 const std::vector<std::string> kProfileExtensions{".json"};
 constexpr double kProgressAfterSeconds = 0.25;
 
+std::string formatName(const std::string& ending) {
+    const Result<Format> format = formatOf("model" + ending);
+    return format ? infoOf(*format).title : std::string();
+}
+
 std::string stemOf(const Session& session) {
     return session.path() ? session.title() : "untitled";
 }
@@ -30,8 +35,9 @@ void FileFlow::saveAs() {
     browse({.title = "Save as",
             .button = "Save",
             .saving = true,
-            .extensions = {".voxprite", ".vox", ".csm"},
+            .extensions = writtenEndings(),
             .name = stemOf(context_.session) + ".voxprite",
+            .formatName = formatName,
             .losses = [this](const std::filesystem::path& path) { return lossesAt(path); }},
            [this](CommandContext&, const std::filesystem::path& path) { saveTo(path); });
 }
@@ -44,6 +50,22 @@ void FileFlow::exportOctree() {
             .name = stemOf(context_.session) + ".svo",
             .losses = [this](const std::filesystem::path& path) { return lossesAt(path); }},
            [this](CommandContext&, const std::filesystem::path& path) { exportTo(path); });
+}
+
+void FileFlow::exportSheet(SheetExport asked) {
+    const std::string name = asked.output.filename().string();
+    const auto shared = std::make_shared<const SheetExport>(std::move(asked));
+    const auto writing = [this, shared, name](JobProgress& progress) -> BackgroundJob::Done {
+        const Result<std::size_t> written = writeSheet(*shared, progress);
+        return [this, written, name] {
+            const Status done = written ? Status() : Failure(written.error());
+            if (tell(done, {})) {
+                context_.toasts.info("Exported " + name + " and " + std::to_string(*written - 1) +
+                                     (*written == 2 ? " file beside it" : " files beside it"));
+            }
+        };
+    };
+    static_cast<void>(tell(work("Exporting " + name, writing), {}));
 }
 
 void FileFlow::openProfile() {
@@ -88,6 +110,7 @@ void FileFlow::draw(Ui& ui) {
     }
     static_cast<void>(step_.finish());
     static_cast<void>(job_.finish());
+    followDrag();
     showProgress(ui);
     if (!isWorking() && afterJob_ != Waiting::none) {
         unlessUnsaved(std::exchange(afterJob_, Waiting::none));
@@ -112,6 +135,8 @@ void FileFlow::finishWork() {
         static_cast<void>(step_.finish());
         job_.wait();
         static_cast<void>(job_.finish());
+        drag_.wait();
+        followDrag();
     }
 }
 
@@ -134,6 +159,43 @@ void FileFlow::step(std::string title, Prepare prepare) {
     step_.start(std::move(title), working);
 }
 
+void FileFlow::drag(Action action) {
+    dragged_ = std::move(action);
+    dragIsNew_ = true;
+}
+
+const SceneState* FileFlow::draggedScene() const {
+    if (!dragged_ || dragged_->parts.empty()) return nullptr;
+    const auto* scene = std::get_if<SceneEdit>(&dragged_->parts.front());
+    return scene == nullptr ? nullptr : &scene->after;
+}
+
+void FileFlow::followDrag() {
+    static_cast<void>(drag_.finish());
+    if (!dragIsNew_ || drag_.running() || step_.running()) return;
+    dragIsNew_ = false;
+    Session& session = context_.session;
+    const auto making = [this, &session, action = *dragged_, workspace = session.workspace(),
+                         frame = session.frame(),
+                         revision = session.revision()](JobProgress&) -> BackgroundJob::Done {
+        const auto prepared = std::make_shared<Result<std::shared_ptr<Session::Prepared>>>(
+            Session::prepare(workspace, frame, action, {}));
+        return [this, &session, prepared, revision] {
+            if (*prepared && session.revision() != revision) {
+                dragIsNew_ = true;  // of what there is now
+                return;
+            }
+            if (*prepared) {
+                session.commit(std::move(***prepared));
+            } else {
+                context_.toasts.error(prepared->error().describe());
+            }
+            if (!dragIsNew_) dragged_.reset();
+        };
+    };
+    drag_.start(dragged_->label, making);
+}
+
 Status FileFlow::work(std::string title, BackgroundJob::Work work) {
     if (job_.running()) return fail(job_.title() + " is not done yet");
     blocks_ = false;
@@ -153,7 +215,8 @@ void FileFlow::unlessUnsaved(Waiting what) {
     if (isWorking()) {
         // What is being saved is saved to its end first.
         afterJob_ = what;
-        return context_.toasts.info((step_.running() ? step_ : job_).title() + " first");
+        const BackgroundJob& first = step_.running() ? step_ : job_.running() ? job_ : drag_;
+        return context_.toasts.info(first.title() + " first");
     }
     waiting_ = what;
     if (context_.session.unsaved()) {

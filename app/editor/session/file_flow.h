@@ -12,6 +12,7 @@
 #include "app/editor/panels/dialogs.h"
 #include "app/editor/panels/file_browser.h"
 #include "app/editor/session/background_job.h"
+#include "app/editor/session/sheet_maker.h"
 
 namespace voxprite::editor {
 
@@ -26,6 +27,8 @@ class FileFlow {
     void save();
     void saveAs();
     void exportOctree();
+    // Behind the window.
+    void exportSheet(SheetExport asked);
     void openProfile();
     void saveProfile();
     void saveProfileAs();
@@ -44,9 +47,17 @@ class FileFlow {
         std::function<Result<std::shared_ptr<Session::Prepared>>(const Session&, const Progress&)>;
     void step(std::string title, Prepare prepare);
 
+    // A step of a drag that takes long: of those that follow each other only the newest is made, as
+    // soon as the one before it is in force. The hand goes on meanwhile.
+    void drag(Action action);
+    // The scene as that drag leaves it; null while there is none.
+    [[nodiscard]] const SceneState* draggedScene() const;
+
     // The dialogs, while there are any; and the end of what went on behind the window.
     void draw(Ui& ui);
-    [[nodiscard]] bool isWorking() const { return job_.running() || step_.running(); }
+    [[nodiscard]] bool isWorking() const { return job_.running() || step_.running() || drags(); }
+    // Other edits, and commands, come after it.
+    [[nodiscard]] bool drags() const { return dragged_.has_value(); }
     // Nothing else can be done: the document must stay as it is.
     [[nodiscard]] bool blocks() const { return (job_.running() && blocks_) || step_.running(); }
     // Scripts do one thing after another: waits until nothing goes on.
@@ -69,6 +80,7 @@ class FileFlow {
     void write(std::string title, const std::filesystem::path& path,
                const std::function<void()>& afterwards);
     void cancelWork();
+    void followDrag();
     void showProgress(Ui& ui);
     // What the format of a file of this name cannot hold.
     [[nodiscard]] std::vector<std::string> lossesAt(const std::filesystem::path& path) const;
@@ -89,6 +101,9 @@ class FileFlow {
     std::filesystem::path waitingFile_;
     bool quits_ = false;
     bool replaced_ = false;
+    BackgroundJob drag_;
+    std::optional<Action> dragged_;  // what is asked for or made
+    bool dragIsNew_ = false;         // nobody makes it yet
 };
 
 }  // namespace voxprite::editor

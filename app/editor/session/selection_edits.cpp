@@ -280,7 +280,10 @@ Result<Action> selectionToObject(const Session& session) {
     const Document& document = session.document();
     Action action = addObject(document, freeName("Part", document.nodes));
     auto& scene = std::get<SceneEdit>(action.parts.front());
-    scene.addedModels.front().voxels = clipOf(session, *chosen).placed();
+    // In the space of the model that they come from, and where that lies: none has to be moved.
+    VoxelClip clip = clipOf(session, *chosen);
+    scene.addedModels.front().voxels = std::move(clip.voxels);
+    scene.after.nodes.back().placements.front().placement = clip.modelFromClip;
     Result<Action> taken = editOf(session, "To a new object", chosen->voxels.count(),
                                   patchOfSet(chosen->model, chosen->voxels, EditMode::erase, 0));
     if (!taken) return taken;

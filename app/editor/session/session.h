@@ -86,6 +86,11 @@ class Session {
     struct Prepared;
     [[nodiscard]] Result<std::shared_ptr<Prepared>> prepare(Action action,
                                                             const Progress& progress) const;
+    // The same of a copy of the session's workspace, for a step that may be put in force while the
+    // session's revision() is what it was then: whatever is done meanwhile is safe.
+    [[nodiscard]] static Result<std::shared_ptr<Prepared>> prepare(const Workspace& workspace,
+                                                                   int frame, Action action,
+                                                                   const Progress& progress);
     [[nodiscard]] Result<std::shared_ptr<Prepared>> prepareUndo(const Progress& progress) const;
     [[nodiscard]] Result<std::shared_ptr<Prepared>> prepareRedo(const Progress& progress) const;
     void commit(Prepared prepared);
@@ -204,8 +209,11 @@ class Session {
     [[nodiscard]] static Result<Derived> derive(const Document& document, int frame);
     void install(Derived derived);
     [[nodiscard]] Status rebuild();
-    [[nodiscard]] Result<std::shared_ptr<Prepared>> derived(Result<PreparedStep> step,
-                                                            const Progress& progress) const;
+    // `floating`: what comes down with the step, if anything.
+    [[nodiscard]] static Result<std::shared_ptr<Prepared>> derived(Result<PreparedStep> step,
+                                                                   int frame,
+                                                                   const VoxelSelection* floating,
+                                                                   const Progress& progress);
     void adopt(Document document, Derived derived);
     void chooseActiveNode();
     void followPalette();

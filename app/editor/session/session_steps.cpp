@@ -42,16 +42,18 @@ bool Session::redoIsLong() const {
     return history_.canRedo() && isLongStep(document(), history_.steps()[history_.position()]);
 }
 
-Result<std::shared_ptr<Session::Prepared>> Session::derived(Result<PreparedStep> step,
-                                                            const Progress& progress) const {
+Result<std::shared_ptr<Session::Prepared>> Session::derived(Result<PreparedStep> step, int shown,
+                                                            const VoxelSelection* floating,
+                                                            const Progress& progress) {
     if (!step) return Failure(step.error());
     if (!progress.reached(0.0)) return fail("stopped");
     const Document& after = step->workspace.document;
-    const int frame = std::clamp(frame_, 0, frameCount(after) - 1);
+    const int frame = std::clamp(shown, 0, frameCount(after) - 1);
     Result<Derived> derived = derive(after, frame);
     if (!derived) return Failure(derived.error());
     if (!progress.reached(0.8)) return fail("stopped");
-    Result<std::optional<VoxelSet>> landed = selection_.landed();
+    Result<std::optional<VoxelSet>> landed = std::optional<VoxelSet>();
+    if (floating != nullptr) landed = floating->landed();
     if (!landed) return Failure(landed.error());
     if (!progress.reached(1.0)) return fail("stopped");
     return std::make_shared<Prepared>(
@@ -61,17 +63,24 @@ Result<std::shared_ptr<Session::Prepared>> Session::derived(Result<PreparedStep>
 Result<std::shared_ptr<Session::Prepared>> Session::prepare(Action action,
                                                             const Progress& progress) const {
     if (Status made = makeParts(action, document()); !made) return Failure(made.error());
-    return derived(History::prepare(workspace_, std::move(action), progress.part(0.3, 0.7)),
-                   progress.part(0.7, 1.0));
+    return derived(History::prepare(workspace_, std::move(action), progress.part(0.3, 0.7)), frame_,
+                   &selection_, progress.part(0.7, 1.0));
+}
+
+Result<std::shared_ptr<Session::Prepared>> Session::prepare(const Workspace& workspace, int frame,
+                                                            Action action,
+                                                            const Progress& progress) {
+    return derived(History::prepare(workspace, std::move(action), progress.part(0.0, 0.6)), frame,
+                   nullptr, progress.part(0.6, 1.0));
 }
 
 Result<std::shared_ptr<Session::Prepared>> Session::prepareUndo(const Progress& progress) const {
-    return derived(history_.prepareUndo(workspace_, progress.part(0.0, 0.6)),
+    return derived(history_.prepareUndo(workspace_, progress.part(0.0, 0.6)), frame_, &selection_,
                    progress.part(0.6, 1.0));
 }
 
 Result<std::shared_ptr<Session::Prepared>> Session::prepareRedo(const Progress& progress) const {
-    return derived(history_.prepareRedo(workspace_, progress.part(0.0, 0.6)),
+    return derived(history_.prepareRedo(workspace_, progress.part(0.0, 0.6)), frame_, &selection_,
                    progress.part(0.6, 1.0));
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/editor/commands/keymap.h"
 #include "app/editor/settings/scene_settings.h"
+#include "app/editor/settings/sheet_settings.h"
 #include "app/editor/tools/tool_options.h"
 #include "app/editor/views/navigation.h"
 #include "app/editor/window/theme.h"
@@ -145,6 +146,7 @@ struct EditorSettings {
     InputSettings input;
     WindowSettings window;
     std::vector<SavedCamera> cameras;
+    SheetSettings sheet;
     bool operator==(const EditorSettings&) const = default;
 
     // To the top of the recent files, each of which stands there once.

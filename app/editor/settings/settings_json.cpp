@@ -122,6 +122,26 @@ void describe(Archive archive, InputSettings& input) {
 }
 
 template <class Archive>
+void describe(Archive archive, SheetSettings& sheet) {
+    archive.number("directions", sheet.directions, 1, 360);
+    archive.number("first_yaw", sheet.firstYawDegrees, -360.0, 360.0);
+    archive.field("pitches", sheet.pitches);
+    archive.field("frames", sheet.frames);
+    archive.number("sigma", sheet.sigma, 0.0, 64.0);
+    archive.choice("outline", sheet.outline, SheetOutline::off);
+    archive.field("variants", sheet.variants);
+    archive.field("trim", sheet.trim);
+    archive.number("padding", sheet.paddingPx, 0, 64);
+    archive.number("largest_edge", sheet.largestEdgePx, 16, 16384);
+    archive.field("normals", sheet.normals);
+    archive.field("depths", sheet.depths);
+    archive.field("indices", sheet.indices);
+    archive.field("turntable", sheet.turntable);
+    archive.number("turntable_ms", sheet.turntableMilliseconds, 1, 65535);
+    archive.number("magnify", sheet.magnify, 1, 32);
+}
+
+template <class Archive>
 void describe(Archive archive, SavedCamera& camera) {
     archive.field("name", camera.name);
     archive.number("yaw", camera.yawDegrees, -360.0, 360.0);
@@ -172,6 +192,7 @@ nlohmann::json jsonOf(const EditorSettings& settings) {
     json["window"] = written(settings.window);
     json["place"] = written(settings.window.place);
     json["input"] = written(settings.input);
+    json["sheet"] = written(settings.sheet);
     json["scene"] = toJson(settings.scene);
     json["keys"] = Json::object();
     for (const auto& [tag, chords] : settings.input.keys) {
@@ -192,6 +213,7 @@ EditorSettings settingsFrom(const nlohmann::json& json) {
     read(json, "window", settings.window);
     read(json, "place", settings.window.place);
     read(json, "input", settings.input);
+    read(json, "sheet", settings.sheet);
     settings.scene = sceneSettingsFrom(json.value("scene", Json::object()));
     settings.input.keys = keymapFrom(json.value("keys", Json::object()));
     for (const Json& camera : json.value("cameras", Json::array())) {

@@ -1,5 +1,8 @@
 #include "app/editor/views/selection_picture.h"
 
+#include <memory>
+#include <utility>
+
 #include "core/edit/transforms.h"
 #include "core/svo/bake.h"
 
@@ -7,6 +10,8 @@ namespace voxprite::editor {
 namespace {
 
 constexpr Rgba8 kTint(76, 154, 255, 84);
+// Cubes of 8: what is made of so many is made at once.
+constexpr std::uint64_t kFewCubes = 4'096;
 
 // Where the selected object lies in the frame that is shown; nothing while it does not show.
 std::optional<Placement> placeOf(const Session& session) {
@@ -21,16 +26,44 @@ std::optional<Placement> placeOf(const Session& session) {
 
 }  // namespace
 
-void SelectionPicture::bakeAgain() {
-    VoxelClip clip{source_.voxels, {source_.rotation, glm::ivec3(0)}};
+SelectionPicture::Baked SelectionPicture::bakeOf(const Source& source) {
+    VoxelClip clip{source.voxels, {source.rotation, glm::ivec3(0)}};
+    if (source.scale > 1 && !scale(clip, source.scale)) return {};
+    // Marks have no colours of their own: most of an octree is one value, and few nodes.
+    const VoxelSet marked = clip.footprint();
+    if (marked.empty()) return {};
+    Result<Octree> octree = bake(marked.grid());
+    if (!octree) return {};
+    return {std::move(*octree), marked.bounds()};
+}
+
+void SelectionPicture::show(const Baked& baked) {
+    box_ = baked.box;
+    if (!box_.empty()) octree_.upload(baked.octree.view());
+}
+
+void SelectionPicture::showNothing() {
+    job_.cancel();
     box_ = {};
-    if (source_.scale > 1 && !scale(clip, source_.scale)) return;
-    const VoxelGrid grid = clip.placed();
-    if (grid.empty()) return;
-    const Result<Octree> octree = bake(grid);
-    if (!octree) return;
-    octree_.upload(octree->view());
-    box_ = grid.bounds();
+    source_ = {};
+    revision_ = shown_ = 0;
+}
+
+void SelectionPicture::make() {
+    job_.cancel();
+    const auto factor = static_cast<std::uint64_t>(source_.scale);
+    if (source_.voxels.cubeCount() * factor * factor * factor <= kFewCubes) {
+        return show(bakeOf(source_));
+    }
+    job_.start("Marking what is selected",
+               [this, source = source_](JobProgress&) -> BackgroundJob::Done {
+                   const auto baked = std::make_shared<const Baked>(bakeOf(source));
+                   return [this, baked] { show(*baked); };
+               });
+}
+
+void SelectionPicture::finish() {
+    job_.wait();
 }
 
 std::uint64_t SelectionPicture::follow(const Session& session) {
@@ -40,33 +73,39 @@ std::uint64_t SelectionPicture::follow(const Session& session) {
     const Placement entityFromModel = floating ? Placement{} : place.value_or(Placement{});
     const bool shows =
         floating ? floating->kind == Floating::Kind::move : place.has_value() && !selection.empty();
-    const std::uint64_t wanted = shows ? selection.revision() : 0;
-    if (wanted == revision_ && entityFromModel == entityFromModel_) return revision_;
-    revision_ = wanted;
-    entityFromModel_ = entityFromModel;
-    Source now;
-    if (shows && floating) {
-        now = {floating->clip.voxels, floating->clip.modelFromClip.rotation, floating->amount};
-    } else if (shows) {
-        now = {selection.voxels().grid(), entityFromModel.rotation, 1};
+    if (!shows) {
+        showNothing();
+        return 0;
     }
-    if (source_ != now) {
-        source_ = std::move(now);
-        bakeAgain();
+    const bool changed = selection.revision() != revision_ || entityFromModel != entityFromModel_;
+    const bool ready = job_.finish();
+    if (!changed && !ready) return shown_;
+    if (changed) {
+        revision_ = selection.revision();
+        entityFromModel_ = entityFromModel;
+        Source now{selection.voxels().grid(), entityFromModel.rotation, 1};
+        if (floating) {
+            now = {floating->clip.voxels, floating->clip.modelFromClip.rotation, floating->amount};
+        }
+        if (source_ != now) {
+            source_ = std::move(now);
+            make();
+        }
     }
-    if (box_.empty()) return 0;
+    // What was marked before stays where it was.
+    if (job_.running()) return shown_;
+    if (box_.empty()) return shown_ = 0;
     const glm::ivec3 corner = floating
                                   ? floating->bounds().min
                                   : entityFromModel.applyToBox(selection.voxels().bounds()).min;
     box_ = {corner, corner + box_.size()};
-    return revision_;
+    return shown_ = revision_;
 }
 
-void SelectionPicture::draw(VoxelView& view, Frame& frame, const Session& session,
-                            const Camera& camera, float scale) const {
+void SelectionPicture::draw(VoxelView& view, Frame& frame, const Camera& camera,
+                            float scale) const {
     if (box_.empty()) return;
-    view.drawMarked(frame, octree_, session.shownPalette(), Session::placedForEditing(box_), camera,
-                    kTint, scale);
+    view.drawMarked(frame, octree_, Session::placedForEditing(box_), camera, kTint, scale);
 }
 
 }  // namespace voxprite::editor

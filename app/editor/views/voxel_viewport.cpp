@@ -56,7 +56,7 @@ std::string hintOf(const ToolSettings& settings, EditMode mode, bool busy) {
         case ToolKind::wand:
             return "Select; Shift adds, Shift+Alt removes";
         case ToolKind::move:
-            return "Move voxels: drag them, an arrow, or use the arrow keys";
+            return "Drag voxels or an arrow; arrow keys";
         default:
             return modeName(mode);
     }
@@ -112,7 +112,7 @@ void VoxelViewport::show(Ui& ui, ImVec2 min, ImVec2 size, bool edits, std::strin
     canvas_.drawViewCube(ui, camera_);
     std::string hint = hintOf(ui.settings.tool, context.mode(), tools_.busy());
     const auto& floating = ui.session.selection().floating();
-    if (floating) hint = floating->label + ": " + hint;
+    if (floating) hint = floating->label + ": Enter to keep, Esc to drop";
     canvas_.caption(ui, "Edit", hint);
     canvas_.end();
 }
@@ -124,6 +124,14 @@ void VoxelViewport::useTools(Ui& ui, const ToolContext& context, std::string& re
     if (const Tool* tool = tools_.tool()) ui.figures.strokeSize = tool->sizeText();
 }
 
+void VoxelViewport::follow(const Session& session, const EditorSettings& settings) {
+    // A frame that does not fit is not shown; the frames that the artist edits are.
+    ghosts_ = onion_.ghosts(session, settings.view.onionSkin && !settings.view.playing)
+                  .value_or(std::vector<OnionSkin::Ghost>());
+    marked_ = selection_->follow(session);
+    clusters_->follow(session, settings.view.drawBy);
+}
+
 bool VoxelViewport::render(const Session& session, const GpuOctree& octree,
                            const EditorSettings& settings) {
     // Of the tools' options the guides alone are in the picture.
@@ -132,14 +140,10 @@ bool VoxelViewport::render(const Session& session, const GpuOctree& octree,
     guides.symmetry = options.symmetry;
     guides.limited = options.limited;
     guides.limits = options.limits;
-    // A frame that does not fit is not shown; the frames that the artist edits are.
-    const auto ghosts = onion_.ghosts(session, settings.view.onionSkin && !settings.view.playing)
-                            .value_or(std::vector<OnionSkin::Ghost>());
     const Camera camera = camera_.camera(canvas_.sizePx());
     const PlacedEntity placed = session.placedForEditing();
     const double radiusPx = placed.radiusMetres() / camera.metresPerScreenPx(glm::distance(
                                                         camera.eyeMetres, placed.centreMetres()));
-    clusters_->follow(session, settings.view.drawBy);
     const GpuClusters* mesh = clusters_->toDraw(session, octree, settings.view.drawBy, radiusPx);
     Shown wanted{octree.revision(),
                  session.modelRevision(),
@@ -151,10 +155,14 @@ bool VoxelViewport::render(const Session& session, const GpuOctree& octree,
                  session.bounds(),
                  guides,
                  {},
-                 selection_.follow(session),
+                 marked_,
                  mesh == nullptr ? 0 : mesh->revision()};
-    for (const OnionSkin::Ghost& ghost : ghosts) wanted.ghosts.push_back(ghost.octree->revision());
-    if (shown_ == wanted) return false;
+    for (const OnionSkin::Ghost& ghost : ghosts_) wanted.ghosts.push_back(ghost.octree->revision());
+    if (shown_ == wanted) {
+        // The hand rests.
+        warms_ = view_.prepareMarks(octree, placed, camera);
+        return false;
+    }
     VoxelViewOptions look;
     look.edges = wanted.view.voxelEdges;
     look.ground = wanted.view.editGround;
@@ -166,18 +174,18 @@ bool VoxelViewport::render(const Session& session, const GpuOctree& octree,
     look.backgroundBottom = behind.bottom;
     look.clusters = mesh;
     // What is drawn onto the voxels' own surface must not be hidden by a coarser one.
-    const bool exact = wanted.marked != 0 || !ghosts.empty();
+    const bool exact = wanted.marked != 0 || !ghosts_.empty();
     look.clusterBudgetPx = exact ? 0.0 : wanted.view.clusterBudgetPx;
     look.tintLevels = wanted.view.tintClusters;
     clusters_->beginFrame(mesh, radiusPx);
     view_.draw(canvas_.frame(), octree, session.shownPalette(), session.placedForEditing(), camera,
                look);
     clusters_->endFrame();
-    for (const OnionSkin::Ghost& ghost : ghosts) {
+    for (const OnionSkin::Ghost& ghost : ghosts_) {
         view_.drawGhost(canvas_.frame(), *ghost.octree, session.shownPalette(),
                         session.placedForEditing(), camera, look, ghost.tint);
     }
-    selection_.draw(view_, canvas_.frame(), session, camera, scale_);
+    selection_->draw(view_, canvas_.frame(), camera, scale_);
     OverlayShapes shapes = guidesOf(guides, wanted.bounds, scale_);
     if (wanted.view.boundsBox && !wanted.bounds.empty()) {
         shapes.addBox(boundsCorners(wanted.bounds), behind.ink, 1.5f);

@@ -23,13 +23,22 @@ class VoxelViewport {
     // The user interface; edits go to ui.edits, the reason why a tool does nothing to `refusal`.
     // Tools rest while nothing may be edited.
     void show(Ui& ui, ImVec2 min, ImVec2 size, bool edits, std::string& refusal);
+    // Brings what is drawn over the model up to date with the session; before render().
+    void follow(const Session& session, const EditorSettings& settings);
     // Draws the picture again if anything in it changed; true when it did.
     bool render(const Session& session, const GpuOctree& octree, const EditorSettings& settings);
 
     [[nodiscard]] OrbitCamera& camera() { return camera_; }
     [[nodiscard]] CameraTurn& turn() { return turn_; }
-    // A mesh is on its way that the picture waits for.
-    [[nodiscard]] bool prepares() const { return clusters_->pending(); }
+    // A mesh, or the marks of what is selected, are on their way, and the picture waits for them.
+    [[nodiscard]] bool prepares() const {
+        return clusters_->pending() || selection_->prepares() || warms_;
+    }
+    // For scripts, which do one thing after another: what the hand has asked for is there.
+    void finishWork(Session& session) {
+        tools_.finishPreview(session);
+        selection_->finish();
+    }
     [[nodiscard]] bool turns() const { return turn_.running(); }
     void frameModel(const Session& session);
     // So that a box of entity space fills the view.
@@ -43,6 +52,7 @@ class VoxelViewport {
     VoxelViewport(VoxelView view, Overlay overlay)
         : view_(std::move(view)),
           overlay_(std::move(overlay)),
+          selection_(std::make_unique<SelectionPicture>()),
           clusters_(std::make_unique<VoxelClusters>()) {}
     void useTools(Ui& ui, const ToolContext& context, std::string& refusal);
 
@@ -70,11 +80,15 @@ class VoxelViewport {
     CameraTurn turn_;
     ToolBox tools_;
     OnionSkin onion_;
-    SelectionPicture selection_;
-    std::unique_ptr<VoxelClusters> clusters_;  // its work in the background points to it
+    // The work of these in the background points to them.
+    std::unique_ptr<SelectionPicture> selection_;
+    std::unique_ptr<VoxelClusters> clusters_;
+    std::vector<OnionSkin::Ghost> ghosts_;
+    std::uint64_t marked_ = 0;  // changes with what is selected; 0: nothing
     std::optional<Pick> hovered_;
     float scale_ = 1.0f;  // device pixels a pixel
     std::optional<Shown> shown_;
+    bool warms_ = false;  // there is more to prepare of what will be drawn later
 };
 
 }  // namespace voxprite::editor

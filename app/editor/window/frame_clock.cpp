@@ -30,11 +30,13 @@ void FrameClock::end(FramePart part) {
 void FrameClock::finish() {
     end(FramePart::present);
     longestFrame_ = std::max(longestFrame_, milliseconds(CLOCK_MONOTONIC) - begunAt_);
+    longestOwn_ = std::max(longestOwn_, now_[static_cast<std::size_t>(FramePart::work)] +
+                                            now_[static_cast<std::size_t>(FramePart::upload)]);
     for (std::size_t i = 0; i < kParts; ++i) longest_[i] = std::max(longest_[i], now_[i]);
 }
 
 void FrameClock::forget() {
-    longestFrame_ = 0.0;
+    longestFrame_ = longestOwn_ = 0.0;
     longest_ = {};
 }
 

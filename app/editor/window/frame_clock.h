@@ -27,8 +27,10 @@ class FrameClock {
     // Another document: what was longest is forgotten.
     void forget();
 
-    // Longest since then; milliseconds. The parts are busy time and need not be of one frame.
+    // Longest since then; milliseconds. The parts are busy time and need not be of one frame;
+    // longestOwn() is that of work and upload of one frame: all but what the driver takes to draw.
     [[nodiscard]] double longestFrame() const { return longestFrame_; }
+    [[nodiscard]] double longestOwn() const { return longestOwn_; }
     [[nodiscard]] double longest(FramePart part) const {
         return longest_[static_cast<std::size_t>(part)];
     }
@@ -37,6 +39,7 @@ class FrameClock {
     double begunAt_ = 0.0;
     double busyAt_ = 0.0;
     double longestFrame_ = 0.0;
+    double longestOwn_ = 0.0;
     std::array<double, kParts> now_{};
     std::array<double, kParts> longest_{};
 };

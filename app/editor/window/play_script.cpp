@@ -61,6 +61,8 @@ bool appendLine(const Json& object, long long frame, std::vector<ScriptLine>& li
         lines.push_back({frame, std::move(event)});
     } else if (object.contains("screenshot")) {
         lines.push_back({frame, ScriptScreenshot{object["screenshot"].get<std::string>()}});
+    } else if (object.contains("mark")) {
+        lines.push_back({frame, ScriptMark{object["mark"].get<std::string>()}});
     } else if (object.contains("quit")) {
         lines.push_back({frame, ScriptQuit{}});
     } else {

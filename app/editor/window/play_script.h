@@ -6,12 +6,14 @@
 //   {"frame": 7, "text": "hut"}
 //   {"frame": 8, "drop": ["a.vox"]}
 //   {"frame": 9, "screenshot": "a.png"}         what that frame showed
+//   {"frame": 9, "mark": "select all"}          what --frame-times calls the frames from here on
 //   {"frame": 10, "quit": true}                 at once, without a question
 // A missing frame is that of the line before; frames never go back.
 #pragma once
 
 #include <filesystem>
 #include <fstream>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -24,11 +26,14 @@ namespace voxprite::editor {
 struct ScriptScreenshot {
     std::filesystem::path path;
 };
+struct ScriptMark {
+    std::string name;
+};
 struct ScriptQuit {};
 
 struct ScriptLine {
     long long frame = 0;
-    std::variant<InputEvent, ScriptScreenshot, ScriptQuit> what;
+    std::variant<InputEvent, ScriptScreenshot, ScriptMark, ScriptQuit> what;
 };
 
 // Errors name the line.
