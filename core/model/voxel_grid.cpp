@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cstring>
+#include <glm/vector_relational.hpp>
 #include <vector>
 
 #include "core/base/check.h"
@@ -81,6 +83,36 @@ void visitTree(const Tree& tree, const VisitTile& visitTile, const VisitLeaf& vi
 
 VoxelBlock blockFromLeaf(const Leaf& leaf) {
     return {vector(leaf.origin()), kLeafEdge, 0, leaf.buffer().data()};
+}
+
+IBox boxOf(const VoxelBlock& block) {
+    return {block.origin, block.origin + block.edgeVoxels};
+}
+
+// Of the solid voxels of a leaf that has some: word x of its mask has the bit (y << 3 | z).
+IBox boundsOf(const Leaf& leaf) {
+    glm::ivec3 low(kLeafEdge), high(0);
+    std::uint64_t across = 0;
+    for (int x = 0; x < kLeafEdge; ++x) {
+        const auto word =
+            leaf.valueMask().getWord<openvdb::Index64>(static_cast<openvdb::Index>(x));
+        if (word == 0) continue;
+        across |= word;
+        low.x = std::min(low.x, x);
+        high.x = x + 1;
+    }
+    std::uint8_t along = 0;
+    for (int y = 0; y < kLeafEdge; ++y) {
+        const auto row = static_cast<std::uint8_t>(across >> (kLeafEdge * y));
+        if (row == 0) continue;
+        along |= row;
+        low.y = std::min(low.y, y);
+        high.y = y + 1;
+    }
+    low.z = std::countr_zero(along);
+    high.z = kLeafEdge - std::countl_zero(along);
+    const glm::ivec3 origin = vector(leaf.origin());
+    return {origin + low, origin + high};
 }
 
 // The eight-fold division of a cube, in the order of the tree: visit(origin of each part).
@@ -271,9 +303,21 @@ std::size_t VoxelGrid::bytes() const {
 }
 
 IBox VoxelGrid::bounds() const {
-    openvdb::CoordBBox box;
-    if (!impl_->tree().evalActiveVoxelBoundingBox(box)) return {};
-    return {vector(box.min()), vector(box.max()) + 1};
+    IBox coarse;
+    visitTree(
+        impl_->tree(), [&](const VoxelBlock& tile) { coarse = coarse.united(boxOf(tile)); },
+        [&](const Leaf& leaf) { coarse = coarse.united(boxOf(blockFromLeaf(leaf))); });
+    // On each side the voxels of the outermost leaves decide: only these are looked into.
+    IBox box;
+    visitTree(
+        impl_->tree(), [&](const VoxelBlock& tile) { box = box.united(boxOf(tile)); },
+        [&](const Leaf& leaf) {
+            const IBox whole = boxOf(blockFromLeaf(leaf));
+            const bool outermost = glm::any(glm::equal(whole.min, coarse.min)) ||
+                                   glm::any(glm::equal(whole.max, coarse.max));
+            if (outermost) box = box.united(boundsOf(leaf));
+        });
+    return box;
 }
 
 VoxelBlock VoxelGrid::blockAt(glm::ivec3 v) const {
