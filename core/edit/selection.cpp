@@ -61,6 +61,32 @@ void selectInBlock(const VoxelGrid& voxels, std::span<const HalfSpace> sides, co
     }
 }
 
+// All of `set`?
+bool isSolid(const VoxelGrid& voxels, const VoxelSet& set) {
+    bool solid = true;
+    set.grid().forEachBlock([&](const VoxelBlock& block) {
+        if (!solid) return;
+        const VoxelBlock there = voxels.blockAt(block.origin);
+        if (there.voxels == nullptr && there.edgeVoxels >= block.edgeVoxels) {
+            solid = there.uniformValue != 0;
+            return;
+        }
+        if (block.voxels != nullptr) {
+            solid = !anyBit(solidBits(set.grid(), block.origin) & ~solidBits(voxels, block.origin));
+            return;
+        }
+        const IBox box = boxOf(block);
+        for (int x = box.min.x; solid && x < box.max.x; x += kCubeEdge) {
+            for (int y = box.min.y; solid && y < box.max.y; y += kCubeEdge) {
+                for (int z = box.min.z; solid && z < box.max.z; z += kCubeEdge) {
+                    solid = allBits(solidBits(voxels, {x, y, z}));
+                }
+            }
+        }
+    });
+    return solid;
+}
+
 }  // namespace
 
 VoxelSet combined(VoxelSet selection, const VoxelSet& with, SelectMode mode) {
@@ -121,6 +147,8 @@ VoxelSet inverted(const VoxelGrid& voxels, const VoxelSet& selection) {
 }
 
 VoxelSet stillSolid(const VoxelGrid& voxels, VoxelSet selection) {
+    // Mostly all of it is, which is much sooner seen than a set is made.
+    if (isSolid(voxels, selection)) return selection;
     selection.intersect(selectAll(voxels));
     return selection;
 }

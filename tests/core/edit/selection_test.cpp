@@ -90,5 +90,18 @@ TEST(Selection, InsideHalfSpacesIsWhatTheMiddlesSay) {
     EXPECT_EQ(selectInside(voxels, {}), selectAll(voxels));
 }
 
+TEST(StillSolid, IsWhatIsSolidOfIt) {
+    VoxelGrid voxels;
+    voxels.fill({{-8, 0, 0}, {72, 72, 80}}, 3);  // whole blocks, and a rim
+    VoxelSet selection(IBox{{0, 0, 0}, {70, 70, 70}});
+    EXPECT_EQ(stillSolid(voxels, selection), selection);
+    for (const glm::ivec3 gone : {glm::ivec3(69, 69, 69), glm::ivec3(0), glm::ivec3(33, 20, 7)}) {
+        voxels.set(gone, 0);
+        selection.erase(gone);
+        EXPECT_EQ(stillSolid(voxels, VoxelSet(IBox{{0, 0, 0}, {70, 70, 70}})), selection);
+        EXPECT_EQ(stillSolid(voxels, selection), selection);
+    }
+}
+
 }  // namespace
 }  // namespace voxprite
