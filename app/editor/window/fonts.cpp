@@ -2,7 +2,6 @@
 #include <imgui_freetype.h>
 #include FT_FREETYPE_H
 
-#include "app/editor/window/icons.h"
 #include "app/editor/window/theme.h"
 
 // Laid out by embedded_fonts.S.in.
@@ -20,8 +19,10 @@ namespace {
 const ImWchar kTextRanges[] = {0x0020, 0x024F, 0x0370, 0x03FF, 0x0400, 0x04FF,
                                0x2000, 0x206F, 0x20A0, 0x20CF, 0x2100, 0x214F,
                                0x2190, 0x21FF, 0x2200, 0x22FF, 0};
-const ImWchar kIconRanges[] = {static_cast<ImWchar>(icon::kFirst),
-                               static_cast<ImWchar>(icon::kLast), 0};
+// Those of icons.h alone: the font has 1,800, and each would be drawn in four sizes.
+const ImWchar kIconRanges[] = {
+#include "icon_ranges.inc"
+    0};
 
 ImFont* add(const unsigned char* begin, const unsigned char* end, float sizePx,
             const ImWchar* ranges, ImFontConfig config) {
