@@ -1,0 +1,206 @@
+// Drives the page of samples/web in the tests: casts all jobs with it, reads the conformance set,
+// and uses it as a person would. What came of it is written into the document.
+"use strict";
+
+(() => {
+    const bytesOf = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+
+    // The fractions of square and cube roots of primes, from whole numbers alone.
+    const primes = [];
+    for (let n = 2; primes.length < 64; ++n) {
+        if (primes.every((p) => n % p !== 0)) primes.push(n);
+    }
+    const fraction = (n, degree) => {
+        let root = 0n;
+        for (let bit = 1n << 40n; bit > 0n; bit >>= 1n) {
+            if ((root + bit) ** BigInt(degree) <= BigInt(n) << BigInt(32 * degree)) root += bit;
+        }
+        return Number(root & 0xffffffffn) | 0;
+    };
+    const rounds = Int32Array.from(primes, (p) => fraction(p, 3));
+    const first = Int32Array.from(primes.slice(0, 8), (p) => fraction(p, 2));
+
+    function sha256(bytes) {
+        const k = rounds, h = first.slice(), turn = (x, n) => (x >>> n) | (x << (32 - n));
+        const padded = new Uint8Array(Math.ceil((bytes.length + 9) / 64) * 64);
+        padded.set(bytes);
+        padded[bytes.length] = 0x80;
+        const data = new DataView(padded.buffer);
+        data.setUint32(padded.length - 8, Math.floor(bytes.length / 2 ** 29));
+        data.setUint32(padded.length - 4, (bytes.length * 8) >>> 0);
+        const w = new Int32Array(64);
+        for (let block = 0; block < padded.length; block += 64) {
+            for (let i = 0; i < 16; ++i) w[i] = data.getInt32(block + 4 * i);
+            for (let i = 16; i < 64; ++i) {
+                const a = w[i - 15], b = w[i - 2];
+                w[i] = w[i - 16] + (turn(a, 7) ^ turn(a, 18) ^ (a >>> 3)) + w[i - 7] +
+                    (turn(b, 17) ^ turn(b, 19) ^ (b >>> 10));
+            }
+            let a = h[0], b = h[1], c = h[2], d = h[3], e = h[4], f = h[5], g = h[6], j = h[7];
+            for (let i = 0; i < 64; ++i) {
+                const t1 = (j + (turn(e, 6) ^ turn(e, 11) ^ turn(e, 25)) + ((e & f) ^ (~e & g)) +
+                    k[i] + w[i]) | 0;
+                const t2 = ((turn(a, 2) ^ turn(a, 13) ^ turn(a, 22)) +
+                    ((a & b) ^ (a & c) ^ (b & c))) | 0;
+                j = g;
+                g = f;
+                f = e;
+                e = (d + t1) | 0;
+                d = c;
+                c = b;
+                b = a;
+                a = (t1 + t2) | 0;
+            }
+            h[0] += a;
+            h[1] += b;
+            h[2] += c;
+            h[3] += d;
+            h[4] += e;
+            h[5] += f;
+            h[6] += g;
+            h[7] += j;
+        }
+        return Array.from(h, (x) => (x >>> 0).toString(16).padStart(8, "0")).join("");
+    }
+
+    function hashesOf({ size, colours, ids }) {
+        return `${size[0]}x${size[1]} ${sha256(colours)} ${sha256(new Uint8Array(ids.buffer))}`;
+    }
+
+    function castJobs(caster) {
+        let count = 0;
+        return jobs.sets.map(({ svo, jobs: list }) => {
+            const file = Svo.read(bytesOf(svo).buffer);
+            caster.open(file);
+            return list.map(({ model, shot: { lattice, lit } }) => {
+                const view = Lattice.fromJson(lattice), one = file.models[model];
+                const by = caster.cast(one, view, lit.light8, lit.outline);
+                const told = { by, hashes: hashesOf(caster.read()) };
+                // The processor casts some of those too that it need not.
+                if (++count % 17 === 0 && by === "gpu" && view.size[0] * view.size[1] < 8000) {
+                    told.processor = hashesOf(Lattice.cast(file, one, view,
+                        Lattice.litPalette(file.palette, lit.light8), lit.outline));
+                }
+                return told;
+            });
+        });
+    }
+
+    // All that is wrong with one file of the conformance set.
+    function faultsOf({ svo, entry }) {
+        let file = null;
+        try {
+            file = Svo.read(bytesOf(svo).buffer);
+        } catch (error) {
+            const refused = error instanceof Svo.Refused && error.offset >= 0;
+            return refused && !entry.valid ? [] : [`${entry.file}: ${error}`];
+        }
+        if (!entry.valid) return [`${entry.file} was accepted`];
+        const models = file.models.map((m) => ({
+            name: m.name, size: m.size, origin: m.origin, max_depth: m.maxDepth,
+            nodes: m.nodes, payloads: m.payloads,
+        }));
+        const clips = file.clips.map((c) => ({
+            name: c.name, loops: c.loops, frames: c.frames.map((f) => [f.model, f.milliseconds]),
+        }));
+        const flat = (value) => JSON.stringify(value, (_, v) =>
+            (v && typeof v === "object" && !Array.isArray(v)
+                ? Object.fromEntries(Object.entries(v).sort()) : v));
+        const faults = [];
+        const expect = (what, mine, theirs) => {
+            if (flat(mine) !== flat(theirs)) faults.push(`${entry.file}: ${what} ${flat(mine)}`);
+        };
+        expect("models", models, entry.models.map(({ voxels, ...rest }) => rest));
+        expect("clips", clips, entry.clips);
+        expect("sockets", file.sockets, entry.sockets);
+        entry.models.forEach(({ voxels, size }, i) => {
+            const solid = new Map(voxels.map(([x, y, z, m]) => [`${x},${y},${z}`, m]));
+            const far = Math.max(...size) > 64;
+            const cells = far ? voxels : [];
+            for (let z = 0; z <= size[2] && !far; ++z) {
+                for (let y = 0; y <= size[1]; ++y) {
+                    for (let x = 0; x <= size[0]; ++x) cells.push([x, y, z]);
+                }
+            }
+            for (const [x, y, z] of cells) {
+                const mine = Svo.voxel(file, file.models[i], x, y, z);
+                if (mine !== (solid.get(`${x},${y},${z}`) ?? 0)) faults.push(`${entry.file}: voxel`);
+            }
+        });
+        return faults;
+    }
+
+    // The browser reads dropped files in its own time, which a page that is being dumped does not
+    // wait for: here their bytes are at hand.
+    async function drop(bytes, name) {
+        const transfer = new DataTransfer();
+        transfer.items.add(new File([bytes], name));
+        const file = transfer.files[0];
+        File.prototype.arrayBuffer = async () => bytes.buffer;
+        Object.defineProperty(transfer, "files", { value: [file] });
+        const event = new DragEvent("drop", { dataTransfer: transfer, cancelable: true });
+        Object.defineProperty(event, "dataTransfer", { value: transfer });
+        window.dispatchEvent(event);
+        for (let i = 0; i < 20; ++i) await null;
+    }
+
+    // As a person: nothing but events, and what the page says.
+    async function usePage() {
+        const wrong = [], at = (id) => document.getElementById(id), { scene } = Page;
+        let checks = 0;
+        const check = (holds, what) => {
+            ++checks;
+            if (!holds) wrong.push(`${what}: ${at("name").textContent}; ${at("said").textContent}`);
+        };
+        const oak = bytesOf(jobs.sets[1].svo);
+        Page.open(bytesOf(sampleSvo).buffer, "walk.svo");
+        check(at("name").textContent === "knight" && !at("play").hidden, "starts with the sample");
+        await drop(oak, "oak.svo");
+        check(at("name").textContent === "oak.svo" && at("play").hidden, "opens what is dropped");
+        check(/voxels/.test(at("facts").textContent) && at("said").className === "dim", "says so");
+        const broken = jobs.conformance.find((c) => c.entry.file === "cycle.svo");
+        await drop(bytesOf(broken.svo), "cycle.svo");
+        check(at("said").classList.contains("wrong") && /cycle.svo.*byte/.test(at("said").textContent),
+            "refuses what is broken");
+        check(at("name").textContent === "oak.svo", "keeps the one before");
+        const { yaw } = scene;
+        const canvas = at("scene"), move = (type, x) => canvas.dispatchEvent(
+            new PointerEvent(type, { pointerId: 1, clientX: x, clientY: 300, bubbles: true }));
+        canvas.setPointerCapture = () => {};
+        move("pointerdown", 300);
+        move("pointermove", 400);
+        move("pointerup", 400);
+        check(Math.abs(scene.yaw - (yaw - 40)) < 1e-9, "turns");
+        at("sigma").value = 3;
+        at("sigma").dispatchEvent(new Event("input"));
+        const file = Svo.read(oak.buffer), told = scene.draw(file, file.models[0], 2, 1280, 800);
+        check(told.sigma === 2 && told.by === "gpu", "draws");
+        // Every colour of the sprite shows, exactly.
+        const { gl } = Page, seen = new Set(), words = new Uint8Array(4 * 1280 * 800);
+        canvas.width = 1280;
+        canvas.height = 800;
+        scene.draw(file, file.models[0], 2, 1280, 800);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+        gl.readPixels(0, 0, 1280, 800, gl.RGBA, gl.UNSIGNED_BYTE, words);
+        for (const word of new Uint32Array(words.buffer)) seen.add(word);
+        const { colours } = scene.caster.read();
+        const missing = new Set(new Uint32Array(colours.buffer).filter((c) => c && !seen.has(c)));
+        check(missing.size === 0, `shows every colour but ${missing.size}`);
+        check(gl.getError() === gl.NO_ERROR, "makes no GL errors");
+        return { page: wrong, page_checks: checks };
+    }
+
+    async function run() {
+        const result = { sets: castJobs(new SpriteCaster(Page.gl)) };
+        result.conformance = jobs.conformance.flatMap(faultsOf);
+        result.conformed = jobs.conformance.length;
+        return Object.assign(result, await usePage());
+    }
+
+    run().catch((error) => ({ error: `${error} ${error.stack}` })).then((result) => {
+        const out = document.createElement("pre");
+        // Nothing that HTML would escape may stand in it.
+        out.textContent = `RESULT[${JSON.stringify(result).replace(/[<>&]/g, "?")}]RESULT`;
+        document.body.append(out);
+    });
+})();
