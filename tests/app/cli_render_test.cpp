@@ -1,4 +1,5 @@
 // `voxprite render`: the same sprite from every backend and mode, and what its options do.
+#include <array>
 #include <fstream>
 #include <set>
 
@@ -73,6 +74,26 @@ TEST_F(CliRender, JsonHasTheKeysOfTheContract) {
     for (const char* vector : {"C", "D", "U", "V"}) EXPECT_EQ(lattice[vector].size(), 3u);
     EXPECT_EQ(lattice["first"].size(), 2u);
     EXPECT_EQ(lattice["size"], json["buffer"]["size"]);
+}
+
+TEST_F(CliRender, JsonHasTheLightThatARuntimeNeeds) {
+    GameProfile profile;
+    profile.outline.colour = {12, 34, 56, 255};
+    ASSERT_TRUE(writeProfileFile(file("p.json"), profile));
+    const Json json = render({"--profile", file("p.json"), "--yaw", "33", "--pitch", "12"});
+    glm::ivec3 direction;
+    for (int axis = 0; axis < 3; ++axis) direction[axis] = json["lattice"]["D"][axis];
+    const std::array<std::uint8_t, 3> light8 =
+        faceLight(direction, voxelFromWorld(profile.light.towardLight), profile.light.ambient);
+    EXPECT_EQ(json["lit"], Json({{"light8", light8},
+                                 {"shading", "multiply"},
+                                 {"face_rays", false},
+                                 {"outline", {12, 34, 56}}}));
+    EXPECT_EQ(render({"--shading", "palette"})["lit"]["shading"], "palette");
+    EXPECT_EQ(render({"--occlusion", "0.5"})["lit"]["face_rays"], true);
+    profile.outline.enabled = false;
+    ASSERT_TRUE(writeProfileFile(file("p.json"), profile));
+    EXPECT_EQ(render({"--profile", file("p.json")})["lit"]["outline"], nullptr);
 }
 
 TEST_F(CliRender, TheWholeModelIsInThePicture) {
