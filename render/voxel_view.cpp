@@ -8,6 +8,7 @@
 
 #include "render/cluster_pass.h"
 #include "render/gl/draw_state.h"
+#include "render/gl/lazy_program.h"
 #include "render/gl/program.h"
 #include "render/occlusion_rays.h"
 #include "render/palette_texture.h"
@@ -109,14 +110,18 @@ float halfLambert(glm::dvec3 normal, glm::dvec3 towardLight, double ambient) {
 }  // namespace
 
 struct VoxelView::Impl {
-    gl::Program voxels;
-    gl::Program shadedVoxels;   // faces cast rays of their own
-    gl::Program limitedVoxels;  // the same, to a depth above the voxels
-    gl::Program markedVoxels;   // no light: covered by a tint
-    gl::Program backdrop;
-    gl::Program clusterVoxels;
-    gl::Program shadedClusterVoxels;
-    gl::Program clusterDepth;
+    // The first two are in every picture; the others wait until they are asked for.
+    gl::LazyProgram voxels{"voxel_view.vert", "voxel_view.frag"};
+    gl::LazyProgram backdrop{"fullscreen.vert", "voxel_backdrop.frag"};
+    // Faces cast rays of their own; the same, to a depth above the voxels.
+    gl::LazyProgram shadedVoxels{"voxel_view.vert", "voxel_view.frag", {"FACE_SHADE"}};
+    gl::LazyProgram limitedVoxels{
+        "voxel_view.vert", "voxel_view.frag", {"DEPTH_LIMIT", "FACE_SHADE"}};
+    // No light: covered by a tint.
+    gl::LazyProgram markedVoxels{"voxel_view.vert", "voxel_view.frag", {"MARKED"}};
+    gl::LazyProgram clusterVoxels{"cluster_view.vert", "cluster_view.frag"};
+    gl::LazyProgram shadedClusterVoxels{"cluster_view.vert", "cluster_view.frag", {"FACE_SHADE"}};
+    gl::LazyProgram clusterDepth{"cluster_view.vert", "cluster_depth.frag"};
     ClusterPass clusters;
     gl::VertexArray nothing = gl::createVertexArray();
     gl::UniformBuffer octreeBlock;
@@ -265,9 +270,10 @@ void VoxelView::Impl::drawVoxels(const GpuOctree& octree, const Palette& colours
     setPalette(colours, space, options);
     bindTexture(TextureUnit::palette, palette.texture());
     gl::apply(state);
-    gl::useProgram(leafLevel(octree, options) > 0 ? limitedVoxels
-                   : facesCastRays(options)       ? shadedVoxels
-                                                  : voxels);
+    gl::LazyProgram& program = leafLevel(octree, options) > 0 ? limitedVoxels
+                               : facesCastRays(options)       ? shadedVoxels
+                                                              : voxels;
+    program.useOrSay();
     glDrawArrays(GL_TRIANGLES, 0, 36);
 }
 
@@ -286,10 +292,10 @@ void VoxelView::Impl::drawClusters(const GpuOctree& octree, const Palette& colou
                .depthWrite = true,
                .colourWrite = false,
                .cull = gl::Cull::backFaces});
-    gl::useProgram(clusterDepth);
+    clusterDepth.useOrSay();
     clusters.draw();
     gl::apply({.depthTest = gl::DepthTest::nearerOrEqual, .cull = gl::Cull::backFaces});
-    gl::useProgram(facesCastRays(options) ? shadedClusterVoxels : clusterVoxels);
+    (facesCastRays(options) ? shadedClusterVoxels : clusterVoxels).useOrSay();
     clusters.draw();
 }
 
@@ -299,7 +305,7 @@ void VoxelView::draw(Frame& frame, const GpuOctree& octree, const Palette& palet
     frame.begin(options.backgroundBottom);
     impl_->setView(octree, placed, camera, options, {});
     gl::apply({});
-    gl::useProgram(impl_->backdrop);
+    impl_->backdrop.useOrSay();
     glDrawArrays(GL_TRIANGLES, 0, 3);
     if (options.clusters != nullptr) {
         impl_->drawClusters(octree, palette, placed, camera, options);
@@ -336,7 +342,7 @@ void VoxelView::Impl::drawMarked(const Marks& marks, bool hidden) {
     gl::apply({.depthTest = hidden ? gl::DepthTest::behind : gl::DepthTest::nearer,
                .blend = true,
                .cull = gl::Cull::frontFaces});
-    gl::useProgram(markedVoxels);
+    markedVoxels.useOrSay();
     glDrawArrays(GL_TRIANGLES, 0, 36);
 }
 
@@ -361,39 +367,11 @@ bool VoxelView::prepareMarks(const GpuOctree& octree, const PlacedEntity& placed
 
 Result<VoxelView> VoxelView::create() {
     auto impl = std::make_unique<Impl>();
-    Result<gl::Program> voxels = gl::compileProgram("voxel_view.vert", "voxel_view.frag");
-    if (!voxels) return tl::unexpected(voxels.error());
-    Result<gl::Program> backdrop = gl::compileProgram("fullscreen.vert", "voxel_backdrop.frag");
-    if (!backdrop) return tl::unexpected(backdrop.error());
-    Result<gl::Program> clusterVoxels =
-        gl::compileProgram("cluster_view.vert", "cluster_view.frag");
-    if (!clusterVoxels) return tl::unexpected(clusterVoxels.error());
-    Result<gl::Program> clusterDepth =
-        gl::compileProgram("cluster_view.vert", "cluster_depth.frag");
-    if (!clusterDepth) return tl::unexpected(clusterDepth.error());
+    if (Status used = impl->voxels.use(); !used) return tl::unexpected(used.error());
+    if (Status used = impl->backdrop.use(); !used) return tl::unexpected(used.error());
     Result<ClusterPass> clusters = ClusterPass::create();
     if (!clusters) return tl::unexpected(clusters.error());
-    Result<gl::Program> limited =
-        gl::compileProgram("voxel_view.vert", "voxel_view.frag", {"DEPTH_LIMIT", "FACE_SHADE"});
-    if (!limited) return tl::unexpected(limited.error());
-    Result<gl::Program> shaded =
-        gl::compileProgram("voxel_view.vert", "voxel_view.frag", {"FACE_SHADE"});
-    if (!shaded) return tl::unexpected(shaded.error());
-    Result<gl::Program> marked =
-        gl::compileProgram("voxel_view.vert", "voxel_view.frag", {"MARKED"});
-    if (!marked) return tl::unexpected(marked.error());
-    Result<gl::Program> shadedClusters =
-        gl::compileProgram("cluster_view.vert", "cluster_view.frag", {"FACE_SHADE"});
-    if (!shadedClusters) return tl::unexpected(shadedClusters.error());
-    impl->voxels = std::move(*voxels);
-    impl->shadedVoxels = std::move(*shaded);
-    impl->limitedVoxels = std::move(*limited);
-    impl->markedVoxels = std::move(*marked);
-    impl->clusterVoxels = std::move(*clusterVoxels);
-    impl->shadedClusterVoxels = std::move(*shadedClusters);
-    impl->clusterDepth = std::move(*clusterDepth);
     impl->clusters = std::move(*clusters);
-    impl->backdrop = std::move(*backdrop);
     return VoxelView(std::move(impl));
 }
 

@@ -69,6 +69,7 @@ TEST_F(GlBasics, EveryShaderCompilesInEveryVariant) {
                                                         {"LATTICE_WIDE"},
                                                         {"PER_PIXEL_DEPTH"},
                                                         {"FACE_SHADE"},
+                                                        {"MARKED"},
                                                         {"LATTICE_WIDE", "FACE_SHADE"},
                                                         {"PROXY_BOX", "SPRITE_IDS"},
                                                         {"DEPTH_LIMIT", "FACE_SHADE"},
