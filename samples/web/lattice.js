@@ -133,78 +133,103 @@ const Lattice = (() => {
         return lit;
     }
 
-    // The cells that one ray meets: numbers are whole and below 2^53, so doubles are exact.
+    // The cells that one ray meets: numbers are whole and below 2^53, so doubles are exact. Nothing
+    // is made anew for a ray.
     class Caster {
         constructor(file, model, view) {
             Object.assign(this, { file, model, view });
             const { D } = view, edge = 2 ** model.maxDepth;
+            this.steps = 2 ** view.bits;
             this.speed = D.map(Math.abs);
             // Where rays run downward an axis is mirrored: cell c becomes edge - 1 - c.
             this.mirror = D.map((d) => (d < 0 ? edge : 0));
             this.low = axes.map((k) => (D[k] < 0 ? edge - model.size[k] : 0));
             this.high = axes.map((k) => this.low[k] + model.size[k]);
+            this.start = [0, 0, 0];
+            this.ends = [0, 0, 0];
+            this.cell = [0, 0, 0];
+            this.tree = [0, 0, 0];
+            this.axis = 0;  // of the last crossing
+            this.way = 0;   // its time, times the speed of that axis
+            this.level = 0;
         }
-        start(i, j) {
-            const { C, U, V, D, bits } = this.view;
-            return axes.map((k) => {
+        begin(i, j) {
+            const { C, U, V, D } = this.view;
+            for (let k = 0; k < 3; ++k) {
                 const at = C[k] + Math.floor((i * U[k] + j * V[k]) / 4096);
-                return D[k] < 0 ? this.mirror[k] * 2 ** bits - at : at;
-            });
-        }
-        // The face of these three that the ray crosses first, or last. At the same time the lowest
-        // axis comes first.
-        crossing(faces, start, last) {
-            let best = null;
-            for (const axis of axes) {
-                if (this.speed[axis] === 0) continue;
-                const way = faces[axis] * 2 ** this.view.bits - start[axis];
-                const order = best ? way * this.speed[best.axis] - best.way * this.speed[axis] : -1;
-                if (!best || (last ? order >= 0 : order < 0)) best = { axis, way };
+                this.start[k] = D[k] < 0 ? this.mirror[k] * this.steps - at : at;
             }
-            return best;
         }
-        // The cell right behind a crossing: an axis above it has not yet crossed what it meets then.
-        cellBehind({ axis, way }, start) {
-            return axes.map((k) => {
-                const later = k > axis && this.speed[k] > 0 ? 1 : 0;
-                const moved = Math.floor((this.speed[k] * way - later) / this.speed[axis]);
-                return Math.floor((start[k] + moved) / 2 ** this.view.bits);
-            });
+        // To the face of these three that the ray crosses first, or last. At the same time the
+        // lowest axis comes first. False where the ray does not move at all.
+        cross(faces, last) {
+            const { speed, start, steps } = this;
+            let axis = -1, way = 0;
+            for (let k = 0; k < 3; ++k) {
+                if (speed[k] === 0) continue;
+                const mine = faces[k] * steps - start[k];
+                if (axis >= 0) {
+                    const order = mine * speed[axis] - way * speed[k];
+                    if (last ? order < 0 : order >= 0) continue;
+                }
+                axis = k;
+                way = mine;
+            }
+            if (axis < 0) return false;
+            this.axis = axis;
+            this.way = way;
+            // The cell right behind: an axis above it has not yet crossed what it meets then.
+            for (let k = 0; k < 3; ++k) {
+                const later = k > axis && speed[k] > 0 ? 1 : 0;
+                const moved = Math.floor((speed[k] * way - later) / speed[axis]);
+                this.cell[k] = Math.floor((start[k] + moved) / steps);
+            }
+            return true;
         }
-        // The largest empty cube around a cell, or the cell's material.
-        look(tree) {
+        // The material of the cell in `tree`; where it is 0, `level` tells how large a cube is empty.
+        look() {
             const { words, nodeCount } = this.file, { nodeOffset, payloadOffset } = this.model;
+            const [x, y, z] = this.tree;
             let word = words[nodeOffset], level = this.model.maxDepth;
             while (word >>> 31) {
                 --level;
-                const octant = axes.reduce((o, k) => o | (((tree[k] >>> level) & 1) << k), 0);
-                if (!((word >>> octant) & 1)) return { material: 0, level };
+                const octant = ((x >>> level) & 1) | (((y >>> level) & 1) << 1) |
+                    (((z >>> level) & 1) << 2);
+                this.level = level;
+                if (!((word >>> octant) & 1)) return 0;
                 let child = nodeOffset + ((word >>> 8) & 0x7fffff);
                 for (let o = 0; o < octant; ++o) child += (word >>> o) & 1;
                 word = words[child];
             }
-            if (!(word >>> 30)) return { material: word, level };
-            const octant = (tree[0] & 1) | ((tree[1] & 1) << 1) | ((tree[2] & 1) << 2);
+            this.level = word >>> 30 ? 0 : level;
+            if (!(word >>> 30)) return word;
+            const octant = (x & 1) | ((y & 1) << 1) | ((z & 1) << 2);
             const brick = nodeCount + 2 * (payloadOffset + (word & 0x3fffffff));
-            const material = (words[brick + (octant >> 2)] >>> (8 * (octant & 3))) & 255;
-            return { material, level: 0 };
+            return (words[brick + (octant >> 2)] >>> (8 * (octant & 3))) & 255;
         }
+        inside() {
+            const { cell, high } = this;
+            return cell[0] < high[0] && cell[1] < high[1] && cell[2] < high[2];
+        }
+        // The material that is hit, at `tree` through a face of `axis`; 0 for none.
         cast(i, j) {
-            const start = this.start(i, j);
-            let now = this.crossing(this.low, start, true);
-            let cell = now && this.cellBehind(now, start);
-            if (!now || axes.some((k) => cell[k] < this.low[k])) return null;
-            while (axes.every((k) => cell[k] < this.high[k])) {
-                const tree = cell.map((c, k) => (this.mirror[k] ? this.mirror[k] - 1 - c : c));
-                const { material, level } = this.look(tree);
-                if (material !== 0) return { material, axis: now.axis, voxel: tree };
-                const edge = 2 ** level;
-                const ends = axes.map((k) =>
-                    Math.min((Math.floor(cell[k] / edge) + 1) * edge, this.high[k]));
-                now = this.crossing(ends, start, false);
-                cell = this.cellBehind(now, start);
+            const { cell, low, high, tree, ends, mirror } = this;
+            this.begin(i, j);
+            if (!this.cross(low, true)) return 0;
+            if (cell[0] < low[0] || cell[1] < low[1] || cell[2] < low[2]) return 0;
+            while (this.inside()) {
+                for (let k = 0; k < 3; ++k) {
+                    tree[k] = mirror[k] > 0 ? mirror[k] - 1 - cell[k] : cell[k];
+                }
+                const material = this.look();
+                if (material !== 0) return material;
+                const edge = 2 ** this.level;
+                for (let k = 0; k < 3; ++k) {
+                    ends[k] = Math.min((Math.floor(cell[k] / edge) + 1) * edge, high[k]);
+                }
+                this.cross(ends, false);
             }
-            return null;
+            return 0;
         }
     }
 
@@ -216,9 +241,10 @@ const Lattice = (() => {
         const caster = new Caster(file, model, view), [sizeX, sizeY] = model.size;
         for (let row = 0, at = 0; row < height; ++row) {
             for (let column = 0; column < width; ++column, ++at) {
-                const hit = caster.cast(view.first[0] + column, view.first[1] + height - 1 - row);
-                if (!hit) continue;
-                const [x, y, z] = hit.voxel, from = 1024 * hit.axis + 4 * hit.material;
+                const material =
+                    caster.cast(view.first[0] + column, view.first[1] + height - 1 - row);
+                if (material === 0) continue;
+                const [x, y, z] = caster.tree, from = 1024 * caster.axis + 4 * material;
                 colours.set(lit.subarray(from, from + 4), 4 * at);
                 // Modulo 2^32.
                 ids[at] = 2 + x + Math.imul(sizeX, y + Math.imul(sizeY, z));

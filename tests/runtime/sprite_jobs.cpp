@@ -81,7 +81,7 @@ JobSet largeModel() {
     file.palette = Palette::standard().colours;
     JobSet set{"large", must(writeSvo(file)), {}};
     for (const OrbitAngles& angles : twentyViews()) {
-        set.jobs.push_back(jobOf(file, 0, angles, 1.0 / 32.0, {}));
+        set.jobs.push_back(jobOf(file, 0, angles, 1.0 / 64.0, {}));
     }
     return set;
 }

@@ -24,7 +24,7 @@ using nlohmann::json;
 using test::JobSet;
 using test::SpriteJob;
 
-constexpr std::chrono::seconds kLong(600);  // on a busy machine
+constexpr std::chrono::seconds kLong(1500);  // on a busy machine
 
 std::string lineOf(const SpriteJob& job) {
     return job.size + " " + job.colours + " " + job.ids;
