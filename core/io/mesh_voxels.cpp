@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <memory>
+#include <unordered_map>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -117,6 +118,9 @@ Status checkWork(const TriangleMesh& mesh, glm::ivec3 size) {
     return {};
 }
 
+// Alpha of cells that have no open face: their colours do not compete for the palette.
+constexpr std::uint8_t kHidden = 254;
+
 // A cube of 8 cells: colours by cell, in VoxelBlock's order, alpha 0 for empty; or one for all.
 struct ColouredBlock {
     glm::ivec3 origin{0};
@@ -165,7 +169,7 @@ class Voxeliser {
                     // Too deep for the surface's own: nothing here has an empty neighbour.
                     if (closed_ && !solid_) return block;
                     block.uniform = true;
-                    block.colours = {colourOf(deep).value_or(Rgba8(0, 0, 0, 255))};
+                    block.colours = {hidden(colourOf(deep).value_or(Rgba8(0, 0, 0, 255)))};
                     return block;
                 }
             }
@@ -214,7 +218,13 @@ class Voxeliser {
         constexpr double kSure = 0.86;
         if (!near || near->squaredDistance > kSure * kSure) near = tree_.nearest(centre, hint);
         hint = near->triangle;
-        return colourOf(*near).value_or(Rgba8(0));
+        const Rgba8 colour = colourOf(*near).value_or(Rgba8(0));
+        return colour.w != 0 && inside && !isOpen(cell) ? hidden(colour) : colour;
+    }
+
+    [[nodiscard]] static Rgba8 hidden(Rgba8 colour) {
+        colour.w = kHidden;
+        return colour;
     }
 
     // Whether the surface passes within half a voxel; at just half, whether the cell is behind it.
@@ -293,26 +303,35 @@ void setBlocks(const std::vector<ColouredBlock>& blocks, LoadedDocument& loaded)
         for (auto first = block.colours.begin(); first != end;) {
             const Rgba8 colour = *first;
             const auto last = std::find_if(first, end, [&](Rgba8 c) { return c != colour; });
-            const auto times = static_cast<std::uint64_t>(last - first);
-            if (colour.w != 0) count.add(colour, block.uniform ? kBlockCells : times);
+            if (colour.w == 255) count.add(colour, static_cast<std::uint64_t>(last - first));
             first = last;
         }
     }
     const ReducedColours reduced = reduceColours(count);
     loaded.document.palette = reduced.palette;
     if (const auto warning = reduced.warning()) loaded.warnings.push_back(*warning);
+
+    // What was not counted takes the nearest colour, which is looked for once.
+    std::unordered_map<std::uint32_t, std::uint8_t> indices;
+    const auto indexOf = [&](Rgba8 colour) -> std::uint8_t {
+        if (colour.w == 0) return 0;
+        const auto key = static_cast<std::uint32_t>(colour.x << 16 | colour.y << 8 | colour.z);
+        const auto [found, fresh] = indices.try_emplace(key, std::uint8_t{0});
+        if (fresh) found->second = reduced.indexOf(Rgba8(colour.x, colour.y, colour.z, 255));
+        return found->second;
+    };
     VoxelGrid& voxels = loaded.document.models[0].voxels;
     std::array<std::uint8_t, kBlockCells> values{};
     for (const ColouredBlock& block : blocks) {
         if (block.uniform) {
-            voxels.fill({block.origin, block.origin + kEdge}, reduced.indexOf(block.colours[0]));
+            voxels.fill({block.origin, block.origin + kEdge}, indexOf(block.colours[0]));
             continue;
         }
         Rgba8 last(0);
         std::uint8_t index = 0;
         for (std::size_t k = 0; k < kBlockCells; ++k) {
             const Rgba8 colour = block.colours[k];
-            if (colour != last) index = colour.w == 0 ? std::uint8_t{0} : reduced.indexOf(colour);
+            if (colour != last) index = indexOf(colour);
             last = colour;
             values[k] = index;
         }

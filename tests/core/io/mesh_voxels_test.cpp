@@ -212,6 +212,24 @@ TEST(MeshVoxels, ThreadsDoNotChangeTheResult) {
     }
 }
 
+// What lies inside takes no place in the palette from what is seen.
+TEST(MeshVoxels, FillingChangesNoColourThatIsSeen) {
+    TriangleMesh mesh = sphere(24, 48);
+    for (MeshTriangle& t : mesh.triangles) {
+        for (MeshCorner& corner : t.corners) {
+            corner.colour = glm::vec4(glm::vec3(corner.position) * 0.5f + 0.5f, 1.0f);
+        }
+    }
+    const LoadedDocument hollow = must(voxelsOf(mesh, options(40, false)));
+    const LoadedDocument solid = must(voxelsOf(mesh, options(40, true)));
+    EXPECT_EQ(hollow.document.palette, solid.document.palette);
+    EXPECT_EQ(hollow.warnings, solid.warnings);
+    EXPECT_EQ(hollow.warnings.size(), 1u);
+    EXPECT_GT(voxelsIn(solid).solidCount(), 2 * voxelsIn(hollow).solidCount());
+    voxelsIn(hollow).forEachSolid(
+        [&](glm::ivec3 v, std::uint8_t value) { ASSERT_EQ(voxelsIn(solid).get(v), value); });
+}
+
 TEST(MeshVoxels, LimitsAreTold) {
     TriangleMesh mesh = emptyMesh();
     EXPECT_EQ(voxelsOf(mesh, options(8)).error().message, "the file holds no triangles");
