@@ -15,7 +15,8 @@ enum class Cost : std::uint8_t { milliseconds, rays };
 
 // The points that no other beats: none is cheaper and as accurate, or more accurate and as cheap.
 // Cheapest first; of points alike in both the first in order. Points without a cost, and those that
-// another backend than the curve's measured, are not looked at.
+// another backend than the curve's measured, are not looked at; of points that show the same and
+// cast the same only the first is, for what their times differ by is chance. So it is below.
 [[nodiscard]] std::vector<std::size_t> paretoFront(const Curve& curve, Yardstick yardstick,
                                                    Cost cost = Cost::milliseconds);
 

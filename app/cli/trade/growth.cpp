@@ -16,7 +16,7 @@ namespace voxprite::trade {
 namespace {
 
 constexpr int kRepeats = 5;
-constexpr double kSizePx = 128.0;
+constexpr double kSizePx = 32.0;  // small, so that it is the casting that counts
 constexpr double kTurnDegrees = 3.0;
 constexpr int kCrowdPx = 512;
 

@@ -47,7 +47,9 @@ std::optional<double> exponentOf(const Growth& growth, double (*cost)(const Grow
     }
     const double spread = n * sumXx - sumX * sumX;
     if (n < 3.0 || !(spread > 0.0)) return std::nullopt;
-    return (n * sumXy - sumX * sumY) / spread;
+    const double exponent = (n * sumXy - sumX * sumY) / spread;
+    // What does not grow has 0, and neither -0 nor what rounding leaves.
+    return std::abs(exponent) < 1e-9 ? 0.0 : exponent;
 }
 
 std::string growthTable(const TradeReport& report) {

@@ -176,6 +176,26 @@ Plan planOf(const RunOptions& options, const std::shared_ptr<const Model>& model
     return plan;
 }
 
+bool hasWalks(const std::vector<AxisSetting>& settings) {
+    return std::any_of(settings.begin(), settings.end(),
+                       [](const AxisSetting& each) { return each.axis == Axis::walk; });
+}
+
+// What the rival's walk, which the processor alone has, is compared with.
+Status measureOnProcessor(const Subject& subject, const Plan& plan, ProgressLine& line,
+                          Curve& curve) {
+    Result<Meter> meter = Meter::create(subject.model, plan);
+    if (!meter) return Failure(meter.error());
+    line.begin(curve.model + ", on the processor", 0.0);
+    Result<std::optional<Point>> point =
+        meter->measure({Axis::walk, settingOf(plan.profile)}, line.progress());
+    if (!point) return Failure(point.error());
+    if (!*point) return {};
+    (*point)->name += ", on the processor";
+    curve.points.push_back(std::move(**point));
+    return {};
+}
+
 // Adds the points to the curve until it is stopped.
 Status measureCurve(const Subject& subject, const std::vector<AxisSetting>& settings,
                     const Plan& plan, GlStage* stage, ProgressLine& line, Curve& curve) {
@@ -193,7 +213,9 @@ Status measureCurve(const Subject& subject, const std::vector<AxisSetting>& sett
         if (!*point) return {};
         curve.points.push_back(std::move(**point));
     }
-    return {};
+    const bool walks = std::any_of(settings.begin(), settings.end(),
+                                   [](const AxisSetting& each) { return each.axis == Axis::walk; });
+    return stage != nullptr && walks ? measureOnProcessor(subject, plan, line, curve) : Status();
 }
 
 Status measureModel(const Subject& subject, const RunOptions& options, GlStage* stage,
@@ -203,7 +225,7 @@ Status measureModel(const Subject& subject, const RunOptions& options, GlStage* 
     out.size = octree.size;
     out.voxels = solidCount(octree);
     out.octreeBytes = bytesOf(octree);
-    out.settings = subject.count();
+    out.settings = subject.count() + (stage != nullptr && hasWalks(subject.settings) ? 1 : 0);
     out.plan = planOf(options, subject.model, subject.profile);
     Status measured =
         measureCurve(subject, subject.settings, planOf(options, subject.model, subject.profile),

@@ -45,14 +45,22 @@ TEST(ParetoFront, LeavesOutWhatHasNoCostOrAForeignOne) {
     EXPECT_EQ(paretoFront(curve, Yardstick::sprite), (std::vector<std::size_t>{1}));
 }
 
+// The same rays to the same picture: the second's luck with the clock is not taken for a gain.
+TEST(ParetoFront, OfTheSameWorkTheFirstCounts) {
+    Curve curve = curveOf({point(0.0, 9.0), point(0.0, 8.0)});
+    EXPECT_EQ(paretoFront(curve, Yardstick::sprite), (std::vector<std::size_t>{1}));
+    curve.points[1].bySize.front().costs->rays = curve.points[0].bySize.front().costs->rays;
+    EXPECT_EQ(paretoFront(curve, Yardstick::sprite), (std::vector<std::size_t>{0}));
+    EXPECT_EQ(cheapestWithin(curve, 0.0), 0u);
+}
+
 // By definition, over all pairs.
 TEST(ParetoFront, AgreesWithTheDefinition) {
     std::mt19937 random(5);
     const auto tenth = [&] { return static_cast<double>(random() % 10); };
     for (int round = 0; round < 50; ++round) {
         std::vector<Point> points;
-        for (int k = 0; k < 30; ++k)
-            points.push_back(point(tenth() / 10.0, 1.0 + tenth()));
+        for (int k = 0; k < 30; ++k) points.push_back(point(tenth() / 10.0, 1.0 + tenth()));
         const Curve curve = curveOf(points);
         const std::vector<std::size_t> front = paretoFront(curve, Yardstick::sprite);
         const auto error = [&](std::size_t k) { return points[k].error(Yardstick::sprite); };

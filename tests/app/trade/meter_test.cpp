@@ -136,16 +136,18 @@ TEST(Meter, SettingsAreWorthWhatTheyMustBe) {
         }
 }
 
-// On a way of 90 degrees.
+// Slowly round: without a step every frame changes a few pixels, with one a few frames change many,
+// and together fewer.
 TEST(Meter, SnappedViewsAreCalmer) {
     Plan plan = smallPlan();
     plan.costs = false;
     plan.views = 1;
-    plan.frames = 60;
+    plan.frames = 120;
+    plan.degreesAFrame = 0.15;
     Meter meter = must(Meter::create(figureModel(), plan));
     AxisSetting setting{Axis::game, settingOf(plan.profile)};
     const Point every = must(meter.measure(setting)).value();
-    setting.setting.viewStepDegrees = 15.0;
+    setting.setting.viewStepDegrees = 5.0;
     const Point snapped = must(meter.measure(setting)).value();
     EXPECT_FALSE(every.bySize.front().costs);
     EXPECT_GT(snapped.bySize.front().time.changedADegree, 0.0);
