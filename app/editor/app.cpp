@@ -51,6 +51,7 @@ void App::frame(const Theme& theme, const std::vector<InputEvent>& events) {
         if (event.kind == InputKind::drop && !event.files.empty()) requestOpen(event.files.front());
     }
     pointer_ = path.back();
+    seconds_ += static_cast<double>(ImGui::GetIO().DeltaTime);
     // An edit answers the oldest input of its frame.
     editStart_.reset();
     if (!events.empty()) editStart_ = events.front().seconds;
@@ -70,6 +71,7 @@ void App::frame(const Theme& theme, const std::vector<InputEvent>& events) {
     lockCameras();
     placeCameras();
     voxels_.follow(session_, settings_);
+    followTrade();
     clock_.end(FramePart::work);
     renderViews();
     clock_.end(FramePart::draw);
@@ -178,6 +180,8 @@ void App::drawDock(Ui& ui) {
             return drawHistory(ui);
         case DockTab::scene:
             return drawScene(ui);
+        case DockTab::trade:
+            return drawTrade(ui);
     }
 }
 
@@ -232,6 +236,7 @@ void App::keepCopy() {
 void App::startOver() {
     voxels_.tools().cancel(session_);
     sprite_.forget();
+    study_.forget();
     framed_ = false;
     figures_.editMilliseconds.reset();
     clock_.forget();
@@ -271,6 +276,21 @@ void App::renderViews() {
     }
 }
 
+bool App::looksAtTrade() const {
+    const WindowSettings& window = settings_.window;
+    const bool panel = window.showsSide && window.showsDock && window.dockTab == DockTab::trade;
+    return panel || settings_.trade.showsB();
+}
+
+void App::followTrade() {
+    // What holds the document now comes first.
+    if (!looksAtTrade() || files_.blocks()) return study_.rest();
+    std::vector<trade::Setting> also{
+        settingInForce(session_.profile(), settings_.scene.representations)};
+    if (settings_.trade.b) also.push_back(*settings_.trade.b);
+    study_.follow(session_, also, seconds_);
+}
+
 void App::lockCameras() {
     OrbitCamera& edit = voxels_.camera();
     OrbitCamera& sprite = sprite_.camera();
@@ -302,6 +322,7 @@ bool App::animates() const {
     if (sprite_.animates(settings_) || files_.isWorking() || commands_.any()) return true;
     if (voxels_.turns() || voxels_.prepares() || sprite_.turns()) return true;
     if (voxels_.tools().previewsLater() || overlays_.sheet.working()) return true;
+    if (looksAtTrade() && study_.busy()) return true;
     return settings_.view.playing && session_.frames() > 1;
 }
 
@@ -334,6 +355,17 @@ void App::dumpLayout() {
                                 {"flying", representations.flying},
                                 {"size_px", representations.comparedSizePx},
                                 {"measured", sprites.progress.empty()}};
+    const TradeSettings& trade = settings_.trade;
+    const HeatMap* heat = sprite_.heat().map();
+    state["trade"] = {{"points", study_.curve().points.size()},
+                      {"busy", study_.busy()},
+                      {"cancelled", study_.cancelled()},
+                      {"b", trade.b ? trade::describe(*trade.b, trade::Setting{}) : ""},
+                      {"side", static_cast<int>(trade.side)},
+                      {"wipe", trade.wipe},
+                      {"saved", trade.saved.size()},
+                      {"heat", trade.heat},
+                      {"heat_mean", heat != nullptr ? heat->mean : -1.0}};
     const OrbitCamera& camera = voxels_.camera();
     state["camera"] = {{"yaw", camera.yawDegrees},
                        {"pitch", camera.pitchDegrees},

@@ -16,6 +16,7 @@
 #include "app/editor/session/file_flow.h"
 #include "app/editor/session/object_selection.h"
 #include "app/editor/session/playback.h"
+#include "app/editor/session/trade_study.h"
 #include "app/editor/views/sprite_viewport.h"
 #include "app/editor/views/voxel_viewport.h"
 #include "app/editor/window/frame_clock.h"
@@ -49,6 +50,8 @@ class App {
         files_.finishWork();
         voxels_.finishWork(session_);
         overlays_.sheet.finishWork();
+        sprite_.finishWork();
+        study_.wait();
     }
     // Of the frames since a document was opened; whoever runs them begins and finishes each.
     [[nodiscard]] FrameClock& clock() { return clock_; }
@@ -82,6 +85,8 @@ class App {
     void drawOverlays(Ui& ui, const Layout& layout);
     void placeCameras();
     void renderViews();
+    void followTrade();
+    [[nodiscard]] bool looksAtTrade() const;
     void lockCameras();
     void dumpLayout();
     [[nodiscard]] std::string openDialog() const;
@@ -111,13 +116,15 @@ class App {
     PalettePanel palettePanel_{paletteEditor_};
     ObjectSelection objects_;
     Playback playback_;
+    TradeStudy study_;
     Overlays overlays_;
-    CommandContext context_{session_, settings_, voxels_,  sprite_,   files_,        dialogs_,
-                            toasts_,  overlays_, objects_, playback_, paletteEditor_};
+    CommandContext context_{session_, settings_, voxels_,  sprite_,   files_,         dialogs_,
+                            toasts_,  overlays_, objects_, playback_, paletteEditor_, study_};
     FileFlow files_{context_};
     RecoveryDialog recovery_;
     std::unique_ptr<Autosave> autosave_;
-    bool framed_ = false;  // the cameras have been placed for this document
+    double seconds_ = 0.0;  // by the pace of the frames, which is one for every replay
+    bool framed_ = false;   // the cameras have been placed for this document
     glm::dvec2 pointer_{0.0};
     // When the input that this frame answers arrived.
     std::optional<double> editStart_;

@@ -18,6 +18,7 @@ class Playback;
 class Toasts;
 struct Overlays;
 class PaletteEditor;
+class TradeStudy;
 
 struct CommandContext {
     Session& session;
@@ -31,6 +32,7 @@ struct CommandContext {
     ObjectSelection& objects;
     Playback& playback;
     PaletteEditor& palette;
+    TradeStudy& study;
 
     // At once, or behind the window when the step is long (FileFlow::step).
     void perform(Action action);

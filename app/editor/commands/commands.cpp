@@ -18,7 +18,7 @@ std::vector<Command> allCommands() {
          {fileCommands(), editCommands(), clipboardCommands(), selectionCommands(),
           objectCommands(), animationCommands(), toolCommands(), toolOptionCommands(),
           paletteCommands(), viewCommands(), sceneCommands(), representationCommands(),
-          helpCommands()}) {
+          tradeCommands(), helpCommands()}) {
         all.insert(all.end(), table.begin(), table.end());
     }
     return all;

@@ -19,6 +19,7 @@ namespace voxprite::editor {
 [[nodiscard]] std::span<const Command> viewCommands();
 [[nodiscard]] std::span<const Command> sceneCommands();
 [[nodiscard]] std::span<const Command> representationCommands();
+[[nodiscard]] std::span<const Command> tradeCommands();
 [[nodiscard]] std::span<const Command> helpCommands();
 
 }  // namespace voxprite::editor

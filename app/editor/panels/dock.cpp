@@ -1,5 +1,7 @@
 // The tabs of the lists below the inspector; they stay when the lists are folded.
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "app/editor/panels/panels.h"
 #include "app/editor/panels/widgets.h"
@@ -34,14 +36,20 @@ void tab(Ui& ui, const char* name, bool on, DockTab value) {
 }  // namespace
 
 bool drawDockTabs(Ui& ui) {
-    constexpr std::array<const char*, 4> kTabs{"Palette", "Objects", "History", "Scene"};
+    constexpr std::array<const char*, 5> kTabs{"Palette", "Objects", "History", "Scene", "Trade"};
     WindowSettings& window = ui.settings.window;
+    const float square = ui.theme.px(24);
+    // As far apart as there is room.
+    float names = 0.0f;
+    for (const char* name : kTabs) names += ImGui::CalcTextSize(name).x + ui.theme.px(2);
+    const float spare = ImGui::GetWindowContentRegionWidth() - names - square;
+    const float gap = std::clamp(std::floor(spare / static_cast<float>(kTabs.size())),
+                                 ui.theme.px(4), ui.theme.px(18));
     for (std::size_t i = 0; i < kTabs.size(); ++i) {
         const auto value = static_cast<DockTab>(i);
         tab(ui, kTabs[i], window.showsDock && window.dockTab == value, value);
-        ImGui::SameLine(0.0f, ui.theme.px(18));
+        ImGui::SameLine(0.0f, gap);
     }
-    const float square = ui.theme.px(24);
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - square);
     if (iconButton(ui, "dock.fold", window.showsDock ? icon::kDown : icon::kUpChevron, Lit::off,
                    square, window.showsDock ? "Fold" : "Unfold")) {

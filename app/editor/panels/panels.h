@@ -10,6 +10,7 @@ void drawInspector(Ui& ui);
 void drawObjects(Ui& ui);
 void drawHistory(Ui& ui);
 void drawScene(Ui& ui);
+void drawTrade(Ui& ui);
 void drawRepresentations(Ui& ui);  // a part of it
 // Of the lists below the inspector; are they unfolded?
 [[nodiscard]] bool drawDockTabs(Ui& ui);

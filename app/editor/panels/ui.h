@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/editor/commands/command_context.h"
 #include "app/editor/commands/commands.h"
 #include "app/editor/session/session.h"
 #include "app/editor/settings/settings.h"

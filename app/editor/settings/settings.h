@@ -10,6 +10,7 @@
 #include "app/editor/commands/keymap.h"
 #include "app/editor/settings/scene_settings.h"
 #include "app/editor/settings/sheet_settings.h"
+#include "app/editor/settings/trade_settings.h"
 #include "app/editor/tools/tool_options.h"
 #include "app/editor/views/navigation.h"
 #include "app/editor/window/theme.h"
@@ -41,7 +42,7 @@ enum class ToolKind : std::uint8_t {
     move  // what is selected, or the whole object
 };
 enum class GizmoKind : std::uint8_t { none, move, rotate, scale };
-enum class DockTab : std::uint8_t { palette, objects, history, scene };
+enum class DockTab : std::uint8_t { palette, objects, history, scene, trade };
 
 struct ToolSettings {
     EditMode mode = EditMode::attach;  // what the drawing tools do to voxels
@@ -143,6 +144,7 @@ struct EditorSettings {
     ToolSettings tool;
     ViewSettings view;
     SceneSettings scene;
+    TradeSettings trade;
     InputSettings input;
     WindowSettings window;
     std::vector<SavedCamera> cameras;

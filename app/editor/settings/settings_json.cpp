@@ -112,7 +112,7 @@ void describe(Archive archive, WindowSettings& window) {
     archive.field("turned_sections", window.turnedSections);
     archive.field("tour_seen", window.tourSeen);
     archive.number("history_megabytes", window.historyMegabytes, 16, 65'536);
-    archive.choice("dock_tab", window.dockTab, DockTab::scene);
+    archive.choice("dock_tab", window.dockTab, DockTab::trade);
 }
 
 template <class Archive>
@@ -194,6 +194,7 @@ nlohmann::json jsonOf(const EditorSettings& settings) {
     json["input"] = written(settings.input);
     json["sheet"] = written(settings.sheet);
     json["scene"] = toJson(settings.scene);
+    json["trade"] = toJson(settings.trade);
     json["keys"] = Json::object();
     for (const auto& [tag, chords] : settings.input.keys) {
         json["keys"][tag] = {chordText(chords[0]), chordText(chords[1])};
@@ -215,6 +216,7 @@ EditorSettings settingsFrom(const nlohmann::json& json) {
     read(json, "input", settings.input);
     read(json, "sheet", settings.sheet);
     settings.scene = sceneSettingsFrom(json.value("scene", Json::object()));
+    settings.trade = tradeSettingsFrom(json.value("trade", Json::object()));
     settings.input.keys = keymapFrom(json.value("keys", Json::object()));
     for (const Json& camera : json.value("cameras", Json::array())) {
         describe(Reader(camera), settings.cameras.emplace_back());

@@ -43,8 +43,9 @@ void drawPictureScale(Ui& ui, float size) {
 void drawButtons(Ui& ui, const ViewCanvas& canvas) {
     using enum CommandId;
     const Theme& theme = ui.theme;
-    constexpr std::array kCommands{compareTwo, compareFour, compareRepresentations, saveSprite,
-                                   copySprite};
+    constexpr std::array kCommands{toggleHeat, flipSides,   wipeSides,
+                                   compareTwo, compareFour, compareRepresentations,
+                                   saveSprite, copySprite};
     const float size = theme.px(kButton), gap = theme.px(2), pad = theme.px(3);
     const float width = (size + gap) * static_cast<float>(kCommands.size()) + size + theme.px(4);
     const ImVec2 corner = canvas.toWindow({canvas.sizePx().x, 0});
@@ -67,6 +68,7 @@ void drawButtons(Ui& ui, const ViewCanvas& canvas) {
 void drawFigures(Ui& ui, const ViewCanvas& canvas) {
     const SceneFigures& figures = ui.figures.scene;
     if (figures.entities < 2 || ui.settings.scene.comparison.on()) return;
+    if (ui.settings.trade.showsB()) return;  // A and B have theirs
     const SceneStats& stats = figures.stats;
     std::array<char, 32> ms{};
     std::snprintf(ms.data(), ms.size(), "%.1f ms", figures.cpuMs);

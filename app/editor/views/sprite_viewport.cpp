@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/editor/session/trade_study.h"
 #include "app/editor/views/socket_markers.h"
 #include "app/editor/views/sprite_picture.h"
 #include "app/editor/views/sprite_toolbar.h"
@@ -91,6 +92,7 @@ void SpriteViewport::show(Ui& ui, ImVec2 min, ImVec2 size) {
     turn_.advance(camera_, static_cast<double>(ImGui::GetIO().DeltaTime));
     SceneSettings& settings = ui.settings.scene;
     settings.comparison.follow(ui.session.profile().sigma);
+    reference_ = ui.context.study.reference();
     gapPx_ = static_cast<int>(ui.theme.px(2));
     areas_ = cellAreas(canvas_.sizePx(), settings.comparison.cells, gapPx_);
     comparedPx_ = glm::max(canvas_.sizePx() - glm::ivec2(0, RepresentationCells::barPx(ui.theme)),
@@ -162,8 +164,10 @@ void SpriteViewport::showAlone(Ui& ui, ViewInput& input) {
         camera_.orbit({static_cast<double>(moved.x), static_cast<double>(moved.y)});
     }
     ViewCanvas::navigate(input, camera_);
+    if (showsSides(ui.settings.trade)) showSides(ui);
 
     const Camera camera = camera_.camera(input.sizePx);
+    if (ui.settings.trade.heat) heat_->show(ui, canvas_, input.pointerPx);
     if (ui.settings.view.anchorMarker) drawAnchor(ui, camera, ui.session.placedInGame());
     if (!ui.session.bounds().empty()) {
         const GizmoTarget target =
@@ -227,7 +231,7 @@ Result<Image> SpriteViewport::picture(const Session& session, const SceneSetting
 
 bool SpriteViewport::animates(const EditorSettings& settings) const {
     const RepresentationSettings& representations = settings.scene.representations;
-    if (library_->busy()) return true;
+    if (library_->busy() || (settings.trade.heat && heat_->busy())) return true;
     if (representations.compared && (representations.flying || compared_.pending())) return true;
     return postponed_ || settings.scene.everyFrame ||
            (settings.view.playing && scene_.moves(settings.scene));
@@ -266,9 +270,11 @@ Status SpriteViewport::renderCell(SpriteCell& cell, Frame& frame, const Session&
 }
 
 void SpriteViewport::followLevels(const Session& session, const GpuOctree& octree,
-                                  const SceneSettings& settings) {
-    const RepresentationSettings& representations = settings.representations;
-    if (representations.rule == DrawRule::exact && !representations.compared) {
+                                  const EditorSettings& settings) {
+    const RepresentationSettings& representations = settings.scene.representations;
+    const bool forB =
+        showsSides(settings.trade) && settings.trade.b->drawnBy != Representation::sprite;
+    if (representations.rule == DrawRule::exact && !representations.compared && !forB) {
         return library_->clear();
     }
     const bool measured = representations.compared || representations.rule == DrawRule::automatic;
@@ -291,8 +297,21 @@ Result<bool> SpriteViewport::renderCompared(const Session& session, const GpuOct
 
 Result<bool> SpriteViewport::render(const Session& session, const GpuOctree& octree,
                                     const EditorSettings& settings) {
+    Result<bool> drew = renderScene(session, octree, settings);
+    if (!drew || !wantsHeat(session, settings)) {
+        heat_->clear();
+        return drew;
+    }
+    if (const Status heat = followHeat(session, octree, settings); !heat) {
+        return Failure(heat.error());
+    }
+    return drew;
+}
+
+Result<bool> SpriteViewport::renderScene(const Session& session, const GpuOctree& octree,
+                                         const EditorSettings& settings) {
     std::ranges::move(scene_.follow(session, settings.scene), std::back_inserter(problems_));
-    followLevels(session, octree, settings.scene);
+    followLevels(session, octree, settings);
     figures_.progress = library_->progress();
     if (settings.scene.representations.compared) {
         shown_.reset();
@@ -308,7 +327,9 @@ Result<bool> SpriteViewport::render(const Session& session, const GpuOctree& oct
                        settings.view,
                        comparison,
                        settings.scene.representations,
-                       library_->revision()};
+                       library_->revision(),
+                       showsSides(settings.trade) ? settings.trade.b : std::nullopt,
+                       settings.trade.side};
     postponed_ = false;
     if (shown_ == wanted && !settings.scene.everyFrame) return false;
     const auto start = std::chrono::steady_clock::now();
@@ -337,12 +358,18 @@ Result<bool> SpriteViewport::render(const Session& session, const GpuOctree& oct
         }
         add(sum, cell.stats);
     }
+    if (showsSides(settings.trade)) {
+        const Status drawn = renderB(session, octree, settings);
+        cellB_.problem = drawn ? "" : drawn.error().describe();
+        add(sum, cellB_.stats);
+    }
     drawnAt_ = std::chrono::steady_clock::now();
     timer_.end();
     shown_ = wanted;
     figures_.shares = cells_[cellInForce(settings.scene)].shares;
     if (!done) return Failure(done.error());
-    const SceneStats& inForce = cells_[cellInForce(settings.scene)].stats;
+    const bool isB = showsSides(settings.trade) && settings.trade.side == SideShown::b;
+    const SceneStats& inForce = isB ? cellB_.stats : cells_[cellInForce(settings.scene)].stats;
     sum.sigmaInForce = inForce.sigmaInForce;
     sum.screenPxPerPx = inForce.screenPxPerPx;
     figures_.entities = scene_.entityCount();

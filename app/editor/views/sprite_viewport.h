@@ -1,6 +1,6 @@
 // The sprite view: the entity as the game shows it, in a small game scene, with the handles of its
-// proxy box; alone or among copies, at one sigma or at several side by side, or by all that it can
-// be drawn by.
+// proxy box; alone or among copies, at one sigma or at several side by side, by all that it can be
+// drawn by, or by two settings that are flipped between.
 #pragma once
 
 #include <chrono>
@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/editor/views/error_heat.h"
 #include "app/editor/views/gizmo.h"
 #include "app/editor/views/level_library.h"
 #include "app/editor/views/representation_cells.h"
@@ -47,6 +48,8 @@ class SpriteViewport {
     void forget() {
         cells_.clear();
         library_->clear();
+        heat_->clear();
+        cellB_ = {};
     }
 
     // The sprite as it shows, see spritePicture().
@@ -57,6 +60,9 @@ class SpriteViewport {
     [[nodiscard]] const SceneStats& stats() const { return figures_.stats; }
     [[nodiscard]] const SceneFigures& figures() const { return figures_; }
     [[nodiscard]] const RepresentationCells& compared() const { return compared_; }
+    [[nodiscard]] const ErrorHeat& heat() const { return *heat_; }
+    // A script waits for the error map; an artist never does.
+    void finishWork() { heat_->wait(); }
     // What went wrong since the last call, to be told.
     [[nodiscard]] std::vector<Error> takeProblems() { return std::exchange(problems_, {}); }
 
@@ -66,11 +72,25 @@ class SpriteViewport {
     void showAlone(Ui& ui, ViewInput& input);
     void showCells(Ui& ui, ViewInput& input);
     void showRepresentations(Ui& ui, ViewInput& input);
+    // A and B (sprite_viewport_sides.cpp): B's picture over A's, the bar between them, and what
+    // they are.
+    void showSides(Ui& ui);
+    void drawWipeBar(Ui& ui);
+    [[nodiscard]] bool showsSides(const TradeSettings& settings) const {
+        return areas_.size() == 1 && settings.showsB();
+    }
+    [[nodiscard]] Status renderB(const Session& session, const GpuOctree& octree,
+                                 const EditorSettings& settings);
+    [[nodiscard]] bool wantsHeat(const Session& session, const EditorSettings& settings) const;
+    [[nodiscard]] Status followHeat(const Session& session, const GpuOctree& octree,
+                                    const EditorSettings& settings);
     void useGizmo(Ui& ui, const ViewInput& input, const Camera& camera);
     void drawAnchor(Ui& ui, const Camera& camera, const PlacedEntity& placed);
     void prepareCells();
     void followLevels(const Session& session, const GpuOctree& octree,
-                      const SceneSettings& settings);
+                      const EditorSettings& settings);
+    [[nodiscard]] Result<bool> renderScene(const Session& session, const GpuOctree& octree,
+                                           const EditorSettings& settings);
     [[nodiscard]] Result<bool> renderCompared(const Session& session, const GpuOctree& octree,
                                               const RepresentationSettings& settings);
     [[nodiscard]] Status renderCell(SpriteCell& cell, Frame& frame, const Session& session,
@@ -92,6 +112,8 @@ class SpriteViewport {
         SigmaComparison comparison;
         RepresentationSettings representations;
         std::uint64_t library = 0;
+        std::optional<trade::Setting> b;  // when it shows, too
+        SideShown side = SideShown::a;
         bool operator==(const Shown&) const = default;
     };
 
@@ -103,12 +125,17 @@ class SpriteViewport {
     SpriteScene scene_;
     std::vector<CellArea> areas_{CellArea{}};
     std::vector<SpriteCell> cells_;
+    SpriteCell cellB_;
+    ViewSet viewsB_;
+    std::string viewsBName_;
+    std::optional<trade::Setting> reference_;  // what errors are against
     SceneRepresentations representations_;
     RepresentationCells compared_;
     glm::ivec2 comparedPx_{1};  // without the row below
     int gapPx_ = 2;
     // Apart, so that this can be moved while the library builds.
     std::unique_ptr<LevelLibrary> library_ = std::make_unique<LevelLibrary>();
+    std::unique_ptr<ErrorHeat> heat_ = std::make_unique<ErrorHeat>();
     gl::TimerQuery timer_;
     SceneFigures figures_;
     std::chrono::steady_clock::time_point drawnAt_;

@@ -98,6 +98,12 @@ inline constexpr const char* kIsometric = "\uF2D9";
 
 inline constexpr const char* kTwoCells = "\uF56A";
 inline constexpr const char* kFourCells = "\uF570";
+inline constexpr const char* kTrade = "\uF5D1";
+inline constexpr const char* kHeat = "\uF238";
+inline constexpr const char* kFlip = "\uF248";
+inline constexpr const char* kWipe = "\uF18A";
+inline constexpr const char* kBudget = "\uF5DD";
+inline constexpr const char* kPin = "\uF403";
 inline constexpr const char* kPicture = "\uF2E9";
 inline constexpr const char* kPeople = "\uF00E";
 inline constexpr const char* kDice = "\uF1CE";
