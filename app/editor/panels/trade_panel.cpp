@@ -8,8 +8,8 @@
 #include "app/editor/panels/trade_text.h"
 #include "app/editor/panels/widgets.h"
 #include "app/editor/session/trade_moves.h"
-#include "app/trade/choice.h"
 #include "app/editor/window/icons.h"
+#include "app/trade/choice.h"
 
 namespace voxprite::editor {
 namespace {
@@ -51,7 +51,7 @@ std::string measuredText(const TradeStudy& study) {
     return std::to_string(study.curve().points.size()) +
            " settings, measured on this machine: one thread of the processor, " +
            std::to_string(plan.views) + " views at " + std::to_string(plan.sizesPx.size()) +
-           " sizes";
+           (plan.sizesPx.size() == 1 ? " size" : " sizes");
 }
 
 // What goes on, with a bar; or what was measured, and how.

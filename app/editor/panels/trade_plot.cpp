@@ -295,6 +295,7 @@ void drawTradeLegend(Ui& ui) {
     const Theme& theme = ui.theme;
     std::vector<trade::Axis> axes;
     for (const trade::Point& point : ui.context.study.curve().points) {
+        if (point.axis == trade::Axis::game) continue;  // where A starts
         if (std::ranges::find(axes, point.axis) == axes.end()) axes.push_back(point.axis);
     }
     ImFont* small = theme.fonts.small;

@@ -10,7 +10,7 @@
 namespace voxprite::editor {
 
 // The colour of B wherever it is told from A, which has the accent.
-inline constexpr ImU32 kSideB = IM_COL32(255, 170, 66, 255);
+inline constexpr ImU32 kSideB = IM_COL32(96, 186, 255, 255);
 
 [[nodiscard]] std::string percentText(double share);    // "0.42 %", "3.1 %", "12 %"
 [[nodiscard]] std::string millisecondsText(double ms);  // "84 µs", "1.20 ms"

@@ -34,6 +34,14 @@ std::vector<trade::AxisSetting> settingsOfCurve(const GameProfile& profile, int 
     return settings;
 }
 
+trade::Plan TradeStudy::usualPlan() {
+    trade::Plan plan = trade::quickPlan({});
+    // The figures of a curve are chosen by: times must not tremble much.
+    plan.views = 3;
+    plan.leastRepeats = 3;
+    return plan;
+}
+
 const trade::Point* TradeStudy::find(const trade::Setting& setting) const {
     const auto is = [&](const trade::Point& point) { return point.setting == setting; };
     for (const std::vector<trade::Point>* points : {&curve_.points, &others_}) {
@@ -65,7 +73,7 @@ void TradeStudy::follow(Session& session, std::span<const trade::Setting> also, 
 }
 
 void TradeStudy::start(Session& session) {
-    plan_ = trade::quickPlan(terms_->profile);
+    plan_.profile = terms_->profile;
     job_.start("Measuring",
                [this, plan = plan_, document = session.snapshot(), frame = session.frame(),
                 bounds = session.bounds(), palette = session.shownPalette(),

@@ -24,6 +24,10 @@ namespace voxprite::editor {
 
 class TradeStudy {
   public:
+    // How much is measured; the profile of the plan does not count. An artist waits for it.
+    explicit TradeStudy(const trade::Plan& plan = usualPlan()) : plan_(plan) {}
+    [[nodiscard]] static trade::Plan usualPlan();
+
     // Once a frame, on the window's thread, while figures are wanted; `also` are settings that are
     // wanted beside the curve, the most wanted first. `now` in seconds.
     void follow(Session& session, std::span<const trade::Setting> also, double now);

@@ -46,7 +46,7 @@ struct SavedSetting {
 struct TradeSettings {
     // The axes of the plot.
     trade::Yardstick yardstick{};  // sprite
-    trade::Cost cost{};            // milliseconds
+    trade::Cost cost{1};           // rays: they do not tremble
     double errorBudget = 0.1;      // "my error", FLIP
     bool profileOnly = true;       // of what is chosen within it: what a game profile can say
 

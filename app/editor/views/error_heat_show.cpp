@@ -79,7 +79,8 @@ void drawBar(const Theme& theme, ImVec2 min, float width, std::optional<double> 
 void ErrorHeat::show(Ui& ui, const ViewCanvas& canvas, glm::dvec2 pointerPx) const {
     const Theme& theme = ui.theme;
     ImDrawList& draw = canvas.overlay();
-    if (map_ && map_->image.width > 0) {
+    // Where nothing is wrong there is nothing to cover.
+    if (map_ && !map_->equal) {
         const glm::ivec2 size(map_->image.width, map_->image.height);
         draw.AddImage(imguiTexture(texture_.id()), canvas.toWindow(glm::dvec2(map_->min)),
                       canvas.toWindow(glm::dvec2(map_->min + size)));

@@ -9,7 +9,7 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr float kButton = 26.0f;
+constexpr float kButton = 24.0f;
 
 // How large saved and copied sprites are.
 void drawPictureScale(Ui& ui, float size) {
@@ -46,7 +46,7 @@ void drawButtons(Ui& ui, const ViewCanvas& canvas) {
     constexpr std::array kCommands{toggleHeat, flipSides,   wipeSides,
                                    compareTwo, compareFour, compareRepresentations,
                                    saveSprite, copySprite};
-    const float size = theme.px(kButton), gap = theme.px(2), pad = theme.px(3);
+    const float size = theme.px(kButton), gap = theme.px(1), pad = theme.px(3);
     const float width = (size + gap) * static_cast<float>(kCommands.size()) + size + theme.px(4);
     const ImVec2 corner = canvas.toWindow({canvas.sizePx().x, 0});
     ImGui::SetCursorScreenPos({corner.x - width - 2 * pad - theme.px(10), corner.y + theme.px(8)});

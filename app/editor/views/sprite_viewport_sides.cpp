@@ -24,11 +24,11 @@ void drawLabel(Ui& ui, const ViewCanvas& canvas, bool isB, bool onRight, float r
     const trade::Setting setting =
         isB ? *ui.settings.trade.b
             : settingInForce(ui.session.profile(), ui.settings.scene.representations);
-    const std::string title = (isB ? "" : "in force: ") + titleOf(setting, study.reference());
+    const std::string title = titleOf(setting, study.reference());
     const std::string figures = figureText(study.find(setting), ui.settings.trade.yardstick);
     ImFont *text = theme.fonts.text, *small = theme.fonts.small, *bold = theme.fonts.bold;
     const float pad = theme.px(10), badge = theme.px(22);
-    const float most = room - 3 * pad - badge - theme.px(20);
+    const float most = room - 3 * pad - badge - theme.px(18);
     const auto sizeOf = [&](ImFont* font, const std::string& line) {
         return font->CalcTextSizeA(font->FontSize, FLT_MAX, most, line.c_str());
     };
