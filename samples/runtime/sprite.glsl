@@ -1,8 +1,8 @@
 // The sprite shader for engines: an octree of .svo cast on a lattice of integers, its outline, and
-// the way to the screen. One file, four shaders; put one of these before it:
+// the way to the screen. One file, five shaders; put one of these before it:
 //
-//     #version 330                                  or 300 es with precision highp for int, float,
-//     #define SPRITE_VERTEX                         usampler2D and isampler2D
+//     #version 330                           or 300 es, with precision highp for int, float and
+//     #define SPRITE_VERTEX                  usampler2D
 //
 // SPRITE_VERTEX   a triangle over the whole viewport, from gl_VertexID 0 ... 2: for the two below.
 // SPRITE_CAST     one ray a virtual pixel. Targets: 0 RGBA8UI colours, 1 R32UI ids. The viewport is

@@ -3,8 +3,8 @@
  *
  *     cc -std=c99 -O2 viewer.c -o viewer -lglfw -lm
  *     ./viewer knight.svo                         drag to turn, wheel to zoom, + and - for sigma
- *     ./viewer knight.svo --lattice view.json     the hashes of its sprite from each view in the
- * file, which `voxprite render --json` printed: its own
+ *     ./viewer knight.svo --lattice view.json     the hashes of its sprite from each view that
+ *                                                 `voxprite render --json` printed into the file
  *
  * Also: --model N instead of the first clip; --yaw and --pitch (degrees), --sigma; --screenshot
  * OUT.ppm. Everything about sprites is in sprite_gl.h; here are a camera and a window.
@@ -24,7 +24,8 @@ static const uint8_t no_outline[4] = {0, 0, 0, 0};
 
 static sprite_gl gl;
 static GLuint backdrop;
-static double yaw = 34, pitch = 20, zoom = 1, sigma = 4; /* degrees; virtual pixels a voxel */
+static double yaw = 34, pitch = 20, zoom = 1; /* degrees */
+static double wanted = 4;                     /* sigma: virtual pixels a voxel */
 static double grabbed[2];
 static int dragging, paused;
 
@@ -64,7 +65,7 @@ static void draw(const svo_file* file, const svo_model* m, int width, int height
     const double ahead[3] = {-sy * cp, cy * cp, -sp};
     const double focal = 2.6, aspect = (double)width / height, near_plane = 0.1;
     const svo_authored authored = svo_get_authored(file);
-    double centre[3], foot[3], eye[3], radius = 0, distance, x = 0, y = 0;
+    double centre[3], foot[3], eye[3], radius = 0, distance, x = 0, y = 0, sigma = wanted;
     GLfloat clip[16] = {0};
     lattice_view view;
     uint8_t light8[3];
@@ -72,7 +73,7 @@ static void draw(const svo_file* file, const svo_model* m, int width, int height
     for (k = 0; k < 3; ++k) centre[k] = foot[k] = m->size[k] / 2.0;
     for (k = 0; k < 3; ++k) radius += centre[k] * centre[k];
     radius = sqrt(radius) + 1;
-    distance = 3.1 * radius / zoom;
+    distance = 2.9 * radius / zoom;
     for (k = 0; k < 3; ++k) eye[k] = centre[k] - ahead[k] * distance;
     foot[2] = 0;
     /* Below a screen pixel a virtual pixel: cast at half the density. */
@@ -196,8 +197,8 @@ static void on_wheel(GLFWwindow* window, double x, double y) {
 
 static void on_text(GLFWwindow* window, unsigned int letter) {
     (void)window;
-    if (letter == '+' || letter == '=') sigma = fmin(sigma * 2, 32);
-    if (letter == '-') sigma = fmax(sigma / 2, 0.25);
+    if (letter == '+' || letter == '=') wanted = fmin(wanted * 2, 32);
+    if (letter == '-') wanted = fmax(wanted / 2, 0.25);
     if (letter == ' ') paused = !paused;
 }
 
@@ -237,7 +238,7 @@ int main(int argc, char** argv) {
     if (!path) fail("usage", "viewer FILE.svo [--model N] [--lattice FILE] [--screenshot OUT.ppm]");
     bytes = read_file(path, &length);
     if (!svo_open(&file, bytes, length, &error)) fail(path, error.reason);
-    sigma = svo_get_authored(&file).sigma;
+    wanted = svo_get_authored(&file).sigma;
     for (i = 2; i + 1 < argc; i += 2) {
         const char* value = argv[i + 1];
         if (strcmp(argv[i], "--model") == 0) only = atol(value);
@@ -245,7 +246,7 @@ int main(int argc, char** argv) {
         if (strcmp(argv[i], "--screenshot") == 0) screenshot = value;
         if (strcmp(argv[i], "--yaw") == 0) yaw = atof(value);
         if (strcmp(argv[i], "--pitch") == 0) pitch = atof(value);
-        if (strcmp(argv[i], "--sigma") == 0) sigma = fmin(fmax(atof(value), 0.25), 32);
+        if (strcmp(argv[i], "--sigma") == 0) wanted = fmin(fmax(atof(value), 0.25), 32);
     }
     if (only >= (long)file.models) fail(path, "has no such model");
 
@@ -286,7 +287,7 @@ int main(int argc, char** argv) {
             save_window(screenshot, width, height);
             break;
         }
-        snprintf(title, sizeof title, "%.100s - sigma %g, %d x %d virtual pixels", path, sigma,
+        snprintf(title, sizeof title, "%.100s - sigma %g, %d x %d virtual pixels", path, wanted,
                  gl.size[0], gl.size[1]);
         glfwSetWindowTitle(window, title);
         glfwSwapBuffers(window);

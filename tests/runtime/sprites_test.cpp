@@ -208,6 +208,8 @@ TEST(WebPage, SpritesAreVoxpritesByHashAndFilesAreReadOrRefused) {
             shots.push_back({{"model", job.model}, {"shot", job.shot}});
         jobs["sets"].push_back({{"svo", base64(set.svo)}, {"jobs", std::move(shots)}});
     }
+    jobs["shaders"] =
+        test::must(readTextFile(fs::path(VOXPRITE_SOURCE_DIR) / "samples/runtime/sprite.glsl"));
     for (const test::ConformanceFile& one : conformance) {
         jobs["conformance"].push_back({{"svo", base64(one.bytes)}, {"entry", one.entry}});
     }

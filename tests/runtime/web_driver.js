@@ -186,6 +186,11 @@
         const { colours } = scene.caster.read();
         const missing = new Set(new Uint32Array(colours.buffer).filter((c) => c && !seen.has(c)));
         check(missing.size === 0, `shows every colour but ${missing.size}`);
+        // The shaders for engines compile here, too.
+        const part = (name) => `${version}#define ${name}\n${jobs.shaders}`;
+        makeProgram(gl, part("SPRITE_VERTEX"), part("SPRITE_CAST"));
+        makeProgram(gl, part("SPRITE_VERTEX"), part("SPRITE_OUTLINE"));
+        makeProgram(gl, part("SPRITE_QUAD"), part("SPRITE_BLIT"));
         check(gl.getError() === gl.NO_ERROR, "makes no GL errors");
         return { page: wrong, page_checks: checks };
     }
