@@ -1,6 +1,7 @@
 // voxprite export IN -o OUT.svo: the octree for the game's runtime, verified.
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
+#include "app/cli/convert_batch.h"
 #include "app/cli/source.h"
 #include "core/base/file.h"
 #include "core/io/svo_file.h"
@@ -13,6 +14,7 @@ struct Options {
     std::optional<std::string> profile;
     std::optional<int> model;
     std::optional<std::string> variant;
+    bool* json = nullptr;  // owned by the Command
 };
 
 Json modelJson(const SvoModel& model) {
@@ -33,6 +35,8 @@ Result<Report> exportSvo(const Options& options) {
     if (!loaded) return Failure(loaded.error());
     const Result<GameProfile> profile = profileForSaving(options.profile, loaded->document);
     if (!profile) return Failure(profile.error());
+    const std::vector<std::string> losses = lossesOf(loaded->document, Format::svo);
+    if (!*options.json) tellLosses(options.input, losses);
     if (Status saved = saveDocument(options.output, loaded->document, *profile); !saved) {
         return Failure(saved.error());
     }
@@ -46,9 +50,7 @@ Result<Report> exportSvo(const Options& options) {
     if (!file) return Failure(file.error());
 
     Json warnings = Json::array();
-    for (const std::string& loss : lossesOf(loaded->document, Format::svo)) {
-        warnings.push_back(textJson(loss));
-    }
+    for (const std::string& loss : losses) warnings.push_back(textJson(loss));
     Json models = Json::array();
     for (const SvoModel& model : file->models) models.push_back(modelJson(model));
     Report report;
@@ -63,7 +65,6 @@ Result<Report> exportSvo(const Options& options) {
     report.text = options.output + ": " + std::to_string(bytes->size()) + " bytes, " +
                   std::to_string(file->models.size()) +
                   " model(s), read back and compared voxel by voxel\n";
-    report.text += warningLines(report.json["warnings"]);
     return report;
 }
 
@@ -72,6 +73,7 @@ Result<Report> exportSvo(const Options& options) {
 void addExport(CLI::App& app, Command& command) {
     CLI::App& sub = *app.add_subcommand("export", "Write the octree that the game's runtime loads");
     auto options = std::make_shared<Options>();
+    options->json = &command.json;
     sub.add_option("IN", options->input, "The model to export")->required();
     sub.add_option("-o,--output", options->output, "The octree's file")
         ->required()

@@ -69,7 +69,7 @@ Result<Report> palette(const Options& options) {
     if (options.output) {
         // A model where the ending is a model's, else a file of colours.
         const Status saved =
-            formatOf(*options.output)
+            !isFileOfColours(*options.output) && formatOf(*options.output)
                 ? profileForSaving(std::nullopt, document).and_then([&](const GameProfile& game) {
                       return saveDocument(*options.output, document, game);
                   })

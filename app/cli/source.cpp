@@ -13,6 +13,8 @@ Document onlyModel(Document document, int model) {
     return single;
 }
 
+}  // namespace
+
 Status chooseVariant(Palette& palette, const std::string& name) {
     const std::optional<std::size_t> variant = palette.variantNamed(name);
     if (!variant) {
@@ -27,8 +29,6 @@ Status chooseVariant(Palette& palette, const std::string& name) {
     palette.variants.clear();
     return {};
 }
-
-}  // namespace
 
 std::vector<int> sourceModels(const Document& document) {
     std::vector<int> models;

@@ -20,6 +20,9 @@ namespace voxprite::cli {
     const std::filesystem::path& path, std::optional<int> model,
     const std::optional<std::string>& variant = std::nullopt, const ReadOptions& options = {});
 
+// The colours of a variant, by its name, in place of the palette's own; then there are no variants.
+[[nodiscard]] Status chooseVariant(Palette& palette, const std::string& name);
+
 // The profile of `path`; without one the built-in profile with the values that the document was
 // authored with (what goes into files that record them).
 [[nodiscard]] Result<GameProfile> profileForSaving(const std::optional<std::string>& path,

@@ -1,27 +1,16 @@
 #include "core/io/apng.h"
 
-#include <zlib.h>
-
 #include <cstring>
 #include <string>
 #include <string_view>
 
 #include "core/io/png.h"
+#include "core/io/png_text.h"
 
 namespace voxprite {
 namespace {
 
-constexpr std::size_t kSignatureBytes = 8;
-constexpr std::size_t kHeaderBytes = 25;  // of the IHDR chunk, which follows
-
-// Everything in a PNG is big-endian.
-void bigEndian(Bytes& bytes, std::uint32_t value, int count) {
-    for (int shift = 8 * (count - 1); shift >= 0; shift -= 8) {
-        bytes.push_back(static_cast<std::uint8_t>(value >> shift));
-    }
-}
-
-std::uint32_t u32At(const Bytes& bytes, std::size_t at) {
+std::uint32_t bigEndianAt(const Bytes& bytes, std::size_t at) {
     std::uint32_t value = 0;
     for (std::size_t k = 0; k < 4; ++k) value = value << 8 | bytes[at + k];
     return value;
@@ -31,21 +20,12 @@ void append(Bytes& bytes, ByteView more) {
     bytes.insert(bytes.end(), more.begin(), more.end());
 }
 
-void appendChunk(Bytes& file, std::string_view type, const Bytes& content) {
-    bigEndian(file, static_cast<std::uint32_t>(content.size()), 4);
-    const std::size_t from = file.size();
-    file.insert(file.end(), type.begin(), type.end());
-    append(file, content);
-    const auto length = static_cast<uInt>(file.size() - from);
-    bigEndian(file, static_cast<std::uint32_t>(crc32(0, file.data() + from, length)), 4);
-}
-
 // The packed pixels of a PNG that writePng made: the contents of its IDAT chunks.
 Bytes packedPixels(const Bytes& png) {
     Bytes packed;
-    std::size_t at = kSignatureBytes;
+    std::size_t at = kPngSignatureBytes;
     while (at + 12 <= png.size()) {
-        const std::size_t length = u32At(png, at);
+        const std::size_t length = bigEndianAt(png, at);
         if (std::memcmp(png.data() + at + 4, "IDAT", 4) == 0) {
             append(packed, ByteView(png).subspan(at + 8, length));
         }
@@ -56,15 +36,15 @@ Bytes packedPixels(const Bytes& png) {
 
 Bytes frameControl(std::uint32_t number, const ApngFrame& frame) {
     Bytes control;
-    bigEndian(control, number, 4);
-    bigEndian(control, static_cast<std::uint32_t>(frame.image.width), 4);
-    bigEndian(control, static_cast<std::uint32_t>(frame.image.height), 4);
-    bigEndian(control, 0, 4);  // left and top
-    bigEndian(control, 0, 4);
-    bigEndian(control, static_cast<std::uint32_t>(frame.milliseconds), 2);
-    bigEndian(control, 1000, 2);  // the unit of the line above: parts of a second
-    bigEndian(control, 0, 1);     // afterwards the picture stays
-    bigEndian(control, 0, 1);     // until it is replaced, alpha and all
+    putBigEndian(control, number, 4);
+    putBigEndian(control, static_cast<std::uint32_t>(frame.image.width), 4);
+    putBigEndian(control, static_cast<std::uint32_t>(frame.image.height), 4);
+    putBigEndian(control, 0, 4);  // left and top
+    putBigEndian(control, 0, 4);
+    putBigEndian(control, static_cast<std::uint32_t>(frame.milliseconds), 2);
+    putBigEndian(control, 1000, 2);  // the unit of the line above: parts of a second
+    putBigEndian(control, 0, 1);     // afterwards the picture stays
+    putBigEndian(control, 0, 1);     // until it is replaced, alpha and all
     return control;
 }
 
@@ -86,19 +66,19 @@ Result<Bytes> writeApng(std::span<const ApngFrame> frames) {
         const Result<Bytes> png = writePng(frame.image);
         if (!png) return png;
         if (k == 0) {
-            append(file, ByteView(*png).first(kSignatureBytes + kHeaderBytes));
+            append(file, ByteView(*png).first(kPngSignatureBytes + kPngHeaderBytes));
             Bytes animation;
-            bigEndian(animation, static_cast<std::uint32_t>(frames.size()), 4);
-            bigEndian(animation, 0, 4);  // for ever
-            appendChunk(file, "acTL", animation);
+            putBigEndian(animation, static_cast<std::uint32_t>(frames.size()), 4);
+            putBigEndian(animation, 0, 4);  // for ever
+            appendPngChunk(file, "acTL", animation);
         }
-        appendChunk(file, "fcTL", frameControl(number++, frame));
+        appendPngChunk(file, "fcTL", frameControl(number++, frame));
         Bytes pixels;
-        if (k > 0) bigEndian(pixels, number++, 4);
+        if (k > 0) putBigEndian(pixels, number++, 4);
         append(pixels, packedPixels(*png));
-        appendChunk(file, k == 0 ? "IDAT" : "fdAT", pixels);
+        appendPngChunk(file, k == 0 ? "IDAT" : "fdAT", pixels);
     }
-    appendChunk(file, "IEND", {});
+    appendPngChunk(file, "IEND", {});
     return file;
 }
 

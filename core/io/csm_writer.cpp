@@ -116,31 +116,10 @@ Result<Bytes> writeCsm(const Document& document) {
 }
 
 std::vector<std::string> csmLosses(const Document& document) {
-    std::vector<std::string> losses{
-        ".csm holds palette indices alone: colours, names and materials are left out"};
-    const auto tell = [&](std::size_t count, const std::string& what) {
-        if (count > 0) losses.push_back(what + std::to_string(count) + " left out");
-    };
-    const std::size_t seen = instancesOf(document, 0).size();
-    if (seen > 1) {
-        losses.push_back(".csm holds one model: " + std::to_string(seen) +
-                         " objects are merged into it");
-    }
-    tell(instancesOf(document, 0, true).size() - seen, ".csm has no hidden objects: ");
-    tell(static_cast<std::size_t>(frameCount(document)) - 1, ".csm has no frames: ");
-    tell(document.clips.size(), ".csm has no clips: ");
-    tell(document.sockets.size(), ".csm has no sockets: ");
-    if (document.entity != Entity{}) {
-        losses.emplace_back(".csm has no entity: anchor, rotation, scale and place are left out");
-    }
-    const IBox bounds = frameBounds(document, 0);
-    const glm::ivec3 corner = cubeFor(document, bounds).min;
-    if (corner != glm::ivec3(0)) {
-        losses.push_back(".csm has no coordinates below 0: the model is moved by " +
-                         std::to_string(-corner.x) + ", " + std::to_string(-corner.y) + ", " +
-                         std::to_string(-corner.z));
-    }
-    return losses;
+    const glm::ivec3 corner = cubeFor(document, frameBounds(document, 0)).min;
+    if (corner == glm::ivec3(0)) return {};
+    return {".csm has no coordinates below 0: the model is moved by " + std::to_string(-corner.x) +
+            ", " + std::to_string(-corner.y) + ", " + std::to_string(-corner.z)};
 }
 
 }  // namespace voxprite

@@ -25,7 +25,7 @@ namespace voxprite {
 // edge.
 [[nodiscard]] Result<Bytes> writeCsm(const Document& document);
 
-// What the text leaves out or changes, a sentence each. Colours are always among it.
+// What is lost besides what core/io/holds.h tells: where voxels below 0 go.
 [[nodiscard]] std::vector<std::string> csmLosses(const Document& document);
 
 }  // namespace voxprite

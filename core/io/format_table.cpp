@@ -1,4 +1,5 @@
 // The table of formats, and what joins each reader and writer to it.
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -10,8 +11,11 @@
 #include "core/io/mesh_writer.h"
 #include "core/io/obj_reader.h"
 #include "core/io/project_file.h"
+#include "core/io/qb.h"
+#include "core/io/slices.h"
 #include "core/io/svo_file.h"
 #include "core/io/vox.h"
+#include "core/model/entity_voxels.h"
 
 namespace voxprite {
 namespace {
@@ -26,27 +30,6 @@ Result<Bytes> saveProject(const SaveRequest& request) {
     return writeProject(request.document, {request.profile.voxelSizeMetres, request.profile.sigma});
 }
 
-std::vector<std::string> noLosses(const Document& /*document*/) {
-    return {};
-}
-
-// What the palettes of .vox and .svo have no words for.
-std::vector<std::string> paletteLosses(const Palette& palette, const std::string& where) {
-    std::vector<std::string> losses;
-    if (!palette.variants.empty()) {
-        std::string names;
-        for (const PaletteVariant& variant : palette.variants) {
-            names += (names.empty() ? "" : ", ") + variant.name;
-        }
-        losses.push_back(where + " holds one palette: the variants are left out (" + names + ")");
-    }
-    if (!palette.ramps.empty()) {
-        losses.push_back(where + " has no colour ramps: " + std::to_string(palette.ramps.size()) +
-                         " left out");
-    }
-    return losses;
-}
-
 Result<LoadedDocument> loadVox(const FileSource& source) {
     Result<VoxImport> import = readVox(source.bytes);
     if (!import) return Failure(import.error());
@@ -56,18 +39,6 @@ Result<LoadedDocument> loadVox(const FileSource& source) {
 
 Result<Bytes> saveVox(const SaveRequest& request) {
     return writeVox(request.document);
-}
-
-std::vector<std::string> voxLosses(const Document& document) {
-    std::vector<std::string> losses = paletteLosses(document.palette, ".vox");
-    const auto leftOut = [&](std::size_t count, const char* what) {
-        if (count == 0) return;
-        losses.push_back(std::string(".vox has no ") + what + ": " + std::to_string(count) +
-                         " left out");
-    };
-    leftOut(document.clips.size(), "clips");
-    leftOut(document.sockets.size(), "sockets");
-    return losses;
 }
 
 Result<LoadedDocument> loadSvo(const FileSource& source) {
@@ -85,8 +56,18 @@ Result<Bytes> saveSvo(const SaveRequest& request) {
     return bytes;
 }
 
+// Clips alone give frames their time.
 std::vector<std::string> svoLosses(const Document& document) {
-    return paletteLosses(document.palette, ".svo");
+    std::vector<bool> shown(static_cast<std::size_t>(frameCount(document)), document.clips.empty());
+    for (const Clip& clip : document.clips) {
+        for (int frame = clip.first; frame <= clip.last; ++frame) {
+            shown[static_cast<std::size_t>(frame)] = true;
+        }
+    }
+    const auto lost = std::ranges::count(shown, false);
+    if (lost == 0) return {};
+    return {".svo has frames in clips alone: the " + std::to_string(lost) +
+            " that no clip shows are added at the end"};
 }
 
 Result<LoadedDocument> loadCsm(const FileSource& source) {
@@ -97,6 +78,36 @@ Result<LoadedDocument> loadCsm(const FileSource& source) {
         loaded.warnings.emplace_back("the text assigns no voxel");
     }
     return loaded;
+}
+
+Result<LoadedDocument> loadQb(const FileSource& source) {
+    Result<QbImport> import = readQb(source.bytes);
+    if (!import) return Failure(import.error());
+    return LoadedDocument{.document = std::move(import->document),
+                          .warnings = std::move(import->warnings)};
+}
+
+Result<Bytes> saveQb(const SaveRequest& request) {
+    return writeQb(request.document);
+}
+
+Result<LoadedDocument> loadPng(const FileSource& source) {
+    Result<SlicesImport> import = readSlices(source.path, source.options.slices);
+    if (!import) return Failure(import.error());
+    return LoadedDocument{.document = std::move(import->document),
+                          .warnings = std::move(import->warnings)};
+}
+
+Result<std::vector<NamedBytes>> savePng(const SaveRequest& request) {
+    Result<std::vector<SlicePicture>> pictures = writeSlices(request.document, request.name);
+    if (!pictures) return Failure(pictures.error());
+    if (Status s = checkNeighbours(request.folder / request.name, pictures->size()); !s)
+        return Failure(s.error());
+    std::vector<NamedBytes> files;
+    for (SlicePicture& picture : *pictures) {
+        files.push_back({std::move(picture.name), std::move(picture.png)});
+    }
+    return files;
 }
 
 Result<Bytes> saveCsm(const SaveRequest& request) {
@@ -131,6 +142,25 @@ std::vector<std::string> objLosses(const Document& document) {
     return meshLosses(document, ".obj");
 }
 
+constexpr Holds kVoxHolds{.scene = SceneHeld::all,
+                          .frames = true,
+                          .coordinates = true,
+                          .colours = ColoursHeld::palette,
+                          .alpha = true,
+                          .colourNames = true,
+                          .materials = true,
+                          .displayOrder = true};
+constexpr Holds kSvoHolds{.frames = true,
+                          .clips = true,
+                          .sockets = true,
+                          .entityName = true,
+                          .anchor = true,
+                          .authored = true,
+                          .coordinates = true,
+                          .colours = ColoursHeld::palette,
+                          .alpha = true,
+                          .colourNames = true};
+
 constexpr std::array kFormats{
     FormatInfo{.format = Format::voxprite,
                .name = "voxprite",
@@ -138,20 +168,21 @@ constexpr std::array kFormats{
                .title = "voxprite project",
                .load = loadProject,
                .save = saveProject,
-               .losses = noLosses},
+               .holds = Holds::everything()},
     FormatInfo{.format = Format::vox,
                .name = "vox",
                .ending = ".vox",
                .title = "MagicaVoxel",
                .load = loadVox,
                .save = saveVox,
-               .losses = voxLosses},
+               .holds = kVoxHolds},
     FormatInfo{.format = Format::svo,
                .name = "svo",
                .ending = ".svo",
                .title = "Octree for the runtime",
                .load = loadSvo,
                .save = saveSvo,
+               .holds = kSvoHolds,
                .losses = svoLosses},
     FormatInfo{.format = Format::csm,
                .name = "csm",
@@ -159,25 +190,49 @@ constexpr std::array kFormats{
                .title = "Cube script",
                .load = loadCsm,
                .save = saveCsm,
+               // What lies below 0 is moved, and said so by csmLosses().
+               .holds = {.coordinates = true, .colours = ColoursHeld::none},
                .losses = csmLosses},
+    FormatInfo{.format = Format::qb,
+               .name = "qb",
+               .ending = ".qb",
+               .title = "Qubicle",
+               .load = loadQb,
+               .save = saveQb,
+               .holds = {.scene = SceneHeld::objects, .coordinates = true},
+               .losses = qbLosses},
+    FormatInfo{.format = Format::png,
+               .name = "png",
+               .ending = ".png",
+               .title = "Pictures of layers",
+               .load = loadPng,
+               .saveFiles = savePng,
+               .folders = true,
+               .holds = {.coordinates = true, .alpha = true},
+               .losses = sliceLosses},
     FormatInfo{.format = Format::glb,
                .name = "glb",
                .ending = ".glb",
                .title = "glTF mesh",
                .load = loadGltf,
                .save = writeGlb,
+               .keepsVoxels = false,
+               .holds = Holds::everything(),  // what is lost is told by the mesh writer alone
                .losses = glbLosses},
     FormatInfo{.format = Format::gltf,
                .name = "gltf",
                .ending = ".gltf",
                .title = "glTF mesh, text",
-               .load = loadGltf},
+               .load = loadGltf,
+               .keepsVoxels = false},
     FormatInfo{.format = Format::obj,
                .name = "obj",
                .ending = ".obj",
                .title = "Wavefront mesh",
                .load = loadObj,
                .saveFiles = writeObj,
+               .keepsVoxels = false,
+               .holds = Holds::everything(),  // what is lost is told by the mesh writer alone
                .losses = objLosses},
 };
 

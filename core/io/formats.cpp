@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/ending.h"
 #include "core/base/file.h"
 
 namespace voxprite {
@@ -38,6 +39,14 @@ Result<std::vector<NamedBytes>> filesOf(const FormatInfo& info, const SaveReques
     return files;
 }
 
+Result<LoadedDocument> loadFolder(const std::filesystem::path& path, const ReadOptions& options) {
+    const auto info = std::ranges::find_if(formats(), &FormatInfo::folders);
+    if (info == formats().end()) return failInFile(path.string(), "is a folder, not a file");
+    Result<LoadedDocument> loaded = inFile(info->load({path, {}, options}), path.string());
+    if (loaded) loaded->format = info->format;
+    return loaded;
+}
+
 }  // namespace
 
 const FormatInfo& infoOf(Format format) {
@@ -51,10 +60,7 @@ const char* nameOf(Format format) {
 }
 
 Result<Format> formatOf(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
+    const std::string ending = lowerEndingOf(path);
     for (const FormatInfo& info : formats()) {
         if (ending == info.ending) return info.format;
     }
@@ -89,6 +95,8 @@ std::string listed(const std::vector<std::string>& endings) {
 }
 
 Result<LoadedDocument> loadDocument(const std::filesystem::path& path, const ReadOptions& options) {
+    std::error_code unknown;
+    if (std::filesystem::is_directory(path, unknown)) return loadFolder(path, options);
     const Result<Format> format = formatOf(path);
     if (!format) return Failure(format.error());
     const FormatInfo& info = infoOf(*format);
@@ -106,14 +114,19 @@ Result<LoadedDocument> loadDocument(const std::filesystem::path& path, const Rea
 
 std::vector<std::string> lossesOf(const Document& document, Format format) {
     const FormatInfo& info = infoOf(format);
-    return info.losses == nullptr ? std::vector<std::string>{} : info.losses(document);
+    std::vector<std::string> losses = lossesBy(info.holds, document, info.ending);
+    if (info.losses != nullptr) {
+        for (std::string& loss : info.losses(document)) losses.push_back(std::move(loss));
+    }
+    return losses;
 }
 
 Status saveDocument(const std::filesystem::path& path, const Document& document,
                     const GameProfile& profile, std::stop_token stop, const WriteOptions& options) {
     const Result<Format> format = formatOf(path);
     if (!format) return Failure(format.error());
-    const SaveRequest request{document, profile, options, path.filename(), stop};
+    const SaveRequest request{document,        profile, options,
+                              path.filename(), stop,    path.parent_path()};
     const Result<std::vector<NamedBytes>> files = filesOf(infoOf(*format), request);
     if (stop.stop_requested()) return failInFile(path.string(), "cancelled, nothing written");
     if (!files) return inFile(Status(Failure(files.error())), path.string());

@@ -13,13 +13,15 @@
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
+#include "core/io/holds.h"
 #include "core/io/mesh_options.h"
+#include "core/io/slices.h"
 #include "core/model/document.h"
 #include "core/model/game_profile.h"
 
 namespace voxprite {
 
-enum class Format : std::uint8_t { voxprite, vox, svo, csm, glb, gltf, obj };
+enum class Format : std::uint8_t { voxprite, vox, svo, csm, qb, png, glb, gltf, obj };
 
 struct LoadedDocument {
     Document document;
@@ -32,6 +34,7 @@ struct LoadedDocument {
 // What the caller may choose where a file leaves a choice: a member for each format that does.
 struct ReadOptions {
     MeshReadOptions mesh;
+    SliceReadOptions slices;
 };
 // The same for writing.
 struct WriteOptions {
@@ -52,6 +55,7 @@ struct SaveRequest {
     const WriteOptions& options;
     std::filesystem::path name;  // of the file, without a folder; neighbours are named after it
     std::stop_token stop;
+    std::filesystem::path folder{};  // where it will lie
 };
 
 // A file to be written: its name without a folder.
@@ -72,7 +76,13 @@ struct FormatInfo {
     // In place of `save` for formats of several files side by side: the last of them is the one
     // that was asked for, `request.name`, and refers to the others.
     Result<std::vector<NamedBytes>> (*saveFiles)(const SaveRequest& request) = nullptr;
-    // What the format cannot hold of a document, one sentence each.
+    // A folder of such files is a document, too; then `load` gets no bytes.
+    bool folders = false;
+    // False of meshes, which hold surfaces: reading them makes voxels anew.
+    bool keepsVoxels = true;
+    // What the format has words for: the losses of a document follow from it.
+    Holds holds{};
+    // What else is lost of a document, one sentence each; null where that is all.
     std::vector<std::string> (*losses)(const Document& document) = nullptr;
 
     [[nodiscard]] bool reads() const { return load != nullptr; }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "core/base/ending.h"
 #include "core/base/file.h"
 #include "core/io/png.h"
 
@@ -212,10 +213,7 @@ namespace {
 enum class Kind : std::uint8_t { gimp, jasc, picture };
 
 Result<Kind> kindOf(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
+    const std::string ending = lowerEndingOf(path);
     if (ending == ".gpl") return Kind::gimp;
     if (ending == ".pal") return Kind::jasc;
     if (ending == ".png") return Kind::picture;
@@ -236,6 +234,10 @@ Result<Bytes> writeAs(Kind kind, const ColourList& colours, const std::string& n
 }
 
 }  // namespace
+
+bool isFileOfColours(const std::filesystem::path& path) {
+    return kindOf(path).has_value();
+}
 
 Result<ColourList> loadColours(const std::filesystem::path& path) {
     const Result<Kind> kind = kindOf(path);

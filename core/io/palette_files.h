@@ -30,6 +30,8 @@ namespace voxprite {
 [[nodiscard]] Result<ColourList> readPalettePicture(ByteView png);
 [[nodiscard]] Result<Bytes> writePalettePicture(const ColourList& colours);
 
+// By the ending: .gpl, .pal or .png, which may be a model, too.
+[[nodiscard]] bool isFileOfColours(const std::filesystem::path& path);
 [[nodiscard]] Result<ColourList> loadColours(const std::filesystem::path& path);
 // Text files have no vacant places: those are left out there.
 [[nodiscard]] Status saveColours(const std::filesystem::path& path, const ColourList& colours);

@@ -67,7 +67,9 @@ std::vector<std::pair<std::string, fs::path>> filesBelow(const fs::path& folder,
     std::error_code error;
     for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end;
          it.increment(error)) {
-        if (!it->is_regular_file() || !formatOf(it->path())) continue;
+        const Result<Format> format = formatOf(it->path());
+        // Folders hold pictures of other kinds, too.
+        if (!it->is_regular_file() || !format || *format == Format::png) continue;
         files.emplace_back(
             prefix + it->path().lexically_relative(folder).replace_extension("").generic_string(),
             it->path());

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/io/csm_reader.h"
+#include "core/io/formats.h"
 #include "core/model/entity_voxels.h"
 #include "core/svo/bake.h"
 #include "tests/core/svo/reference_octree.h"
@@ -117,19 +118,21 @@ TEST(CsmWrite, WhatIsLostIsSaid) {
     Document document = must(readCsm(bytesOf(">b 9 >hg 4")));
     const std::string colours =
         ".csm holds palette indices alone: colours, names and materials are left out";
-    EXPECT_THAT(csmLosses(document), ElementsAre(colours));
+    const auto losses = [](const Document& d) { return lossesOf(d, Format::csm); };
+    EXPECT_THAT(losses(document), ElementsAre(colours));
     document.entity.anchorVoxels = glm::dvec3(1, 2, 3);
     document.sockets.push_back({"hand"});
     document.clips.push_back({"walk"});
     EXPECT_THAT(
-        csmLosses(document),
+        losses(document),
         ElementsAre(colours, ".csm has no clips: 1 left out", ".csm has no sockets: 1 left out",
-                    ".csm has no entity: anchor, rotation, scale and place are left out"));
+                    ".csm has no words for all of the entity; left out: anchor"));
 
-    const std::vector<std::string> busy = csmLosses(test::busyDocument());
+    const std::vector<std::string> busy = losses(test::busyDocument());
     EXPECT_THAT(busy, testing::Contains(HasSubstr("objects are merged into it")));
     EXPECT_THAT(busy, testing::Contains(HasSubstr("hidden objects")));
     EXPECT_THAT(busy, testing::Contains(HasSubstr("frames")));
+    EXPECT_THAT(busy, testing::Contains(HasSubstr("is moved by")));
 }
 
 }  // namespace

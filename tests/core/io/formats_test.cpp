@@ -180,12 +180,25 @@ TEST(FormatsCorpus, ProjectsOfRealFilesReadBackEqual) {
 TEST(Formats, SayWhatTheyHaveNoWordsFor) {
     Document document = test::busyDocument();
     EXPECT_EQ(lossesOf(document, Format::vox),
-              (std::vector<std::string>{".vox has no clips: 2 left out",
-                                        ".vox has no sockets: 2 left out"}));
+              (std::vector<std::string>{
+                  ".vox has no clips: 2 left out", ".vox has no sockets: 2 left out",
+                  ".vox has no words for all of the entity; left out: its name, anchor, rotation, "
+                  "scale and the VoxelSize and sigma it was made with"}));
     EXPECT_TRUE(lossesOf(document, Format::voxprite).empty());
-    EXPECT_TRUE(lossesOf(document, Format::svo).empty());
+    EXPECT_EQ(
+        lossesOf(document, Format::svo),
+        (std::vector<std::string>{
+            ".svo has no words for all of a palette; left out: materials and the palette's "
+            "order of display",
+            ".svo holds one model: 7 objects are merged into it",
+            ".svo has no hidden objects: 2 left out",
+            ".svo holds what is seen of the scene; left out: names of objects, groups, layers "
+            "and locks",
+            ".svo has no words for all of the entity; left out: rotation and scale"}));
     document.clips.clear();
     document.sockets.clear();
+    document.entity = {};
+    document.authored = {};
     EXPECT_TRUE(lossesOf(document, Format::vox).empty());
 }
 

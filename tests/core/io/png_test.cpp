@@ -3,13 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/base/hash.h"
+#include "tests/support/png_builder.h"
 #include "tests/support/random.h"
 #include "tests/support/temporary_folder.h"
 
 namespace voxprite {
 namespace {
 
+using test::handmadePng;
+using test::putPngChunk;
+using test::storedZlib;
 using testing::HasSubstr;
 
 Image noise(int width, int height, std::uint64_t seed) {
@@ -21,55 +24,6 @@ Image noise(int width, int height, std::uint64_t seed) {
         }
     }
     return image;
-}
-
-// Big-endian chunk with its checksum.
-void putChunk(Bytes& png, const std::string& id, const Bytes& content) {
-    const auto put = [&png](std::size_t value) {
-        for (int shift = 24; shift >= 0; shift -= 8) {
-            png.push_back(static_cast<std::uint8_t>(value >> shift));
-        }
-    };
-    put(content.size());
-    Bytes summed(id.begin(), id.end());
-    summed.insert(summed.end(), content.begin(), content.end());
-    png.insert(png.end(), summed.begin(), summed.end());
-    put(crc32(ByteView(summed)));
-}
-
-// zlib data that is stored and not packed; at most 65535 bytes.
-Bytes stored(const Bytes& bytes) {
-    const auto length = static_cast<std::uint16_t>(bytes.size());
-    Bytes result{0x78,
-                 0x01,
-                 0x01,
-                 static_cast<std::uint8_t>(length),
-                 static_cast<std::uint8_t>(length >> 8),
-                 static_cast<std::uint8_t>(~length),
-                 static_cast<std::uint8_t>(~length >> 8)};
-    result.insert(result.end(), bytes.begin(), bytes.end());
-    std::uint32_t a = 1;
-    std::uint32_t b = 0;
-    for (const std::uint8_t byte : bytes) {
-        a = (a + byte) % 65521;
-        b = (b + a) % 65521;
-    }
-    for (const std::uint32_t half : {b, a}) {
-        result.push_back(static_cast<std::uint8_t>(half >> 8));
-        result.push_back(static_cast<std::uint8_t>(half));
-    }
-    return result;
-}
-
-Bytes handmade(std::uint8_t width, std::uint8_t height, std::uint8_t depth, std::uint8_t type,
-               const Bytes& rows, const Bytes& palette = {}, const Bytes& transparency = {}) {
-    Bytes png{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-    putChunk(png, "IHDR", {0, 0, 0, width, 0, 0, 0, height, depth, type, 0, 0, 0});
-    if (!palette.empty()) putChunk(png, "PLTE", palette);
-    if (!transparency.empty()) putChunk(png, "tRNS", transparency);
-    putChunk(png, "IDAT", stored(rows));
-    putChunk(png, "IEND", {});
-    return png;
 }
 
 TEST(Png, WhatIsWrittenReadsBackEqual) {
@@ -96,16 +50,16 @@ TEST(Png, FilesReadBackEqual) {
 
 TEST(Png, OtherPixelFormatsAreConverted) {
     // Grey of 8 bits; a palette with transparency, 2 bits a pixel; RGB of 16 bits.
-    EXPECT_EQ(readPng(handmade(2, 1, 8, 0, {0, 10, 200})).value().at(1, 0),
+    EXPECT_EQ(readPng(handmadePng(2, 1, 8, 0, {0, 10, 200})).value().at(1, 0),
               Rgba8(200, 200, 200, 255));
-    const Image mapped =
-        readPng(handmade(3, 1, 2, 3, {0, 0b00011000}, {1, 2, 3, 4, 5, 6, 7, 8, 9}, {255, 128, 0}))
-            .value();
+    const Image mapped = readPng(handmadePng(3, 1, 2, 3, {0, 0b00011000},
+                                             {1, 2, 3, 4, 5, 6, 7, 8, 9}, {255, 128, 0}))
+                             .value();
     EXPECT_EQ(mapped.at(0, 0), Rgba8(1, 2, 3, 255));
     EXPECT_EQ(mapped.at(1, 0), Rgba8(4, 5, 6, 128));
     EXPECT_EQ(mapped.at(2, 0), Rgba8(7, 8, 9, 0));
     EXPECT_EQ(
-        readPng(handmade(1, 1, 16, 2, {0, 0x12, 0x34, 0xAB, 0xCD, 0xFF, 0xFF})).value().at(0, 0),
+        readPng(handmadePng(1, 1, 16, 2, {0, 0x12, 0x34, 0xAB, 0xCD, 0xFF, 0xFF})).value().at(0, 0),
         Rgba8(0x12, 0xAB, 0xFF, 255));
 }
 
@@ -113,9 +67,9 @@ TEST(Png, SizesAreCheckedBeforeMemoryIsTaken) {
     const auto reason = [](Bytes size) {
         Bytes png{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
         size.insert(size.end(), {8, 6, 0, 0, 0});
-        putChunk(png, "IHDR", size);
-        putChunk(png, "IDAT", stored({0, 0}));
-        putChunk(png, "IEND", {});
+        putPngChunk(png, "IHDR", size);
+        putPngChunk(png, "IDAT", storedZlib({0, 0}));
+        putPngChunk(png, "IEND", {});
         return readPng(png).error().message;
     };
     EXPECT_THAT(reason({0, 0, 0x40, 1, 0, 0, 0, 1}), HasSubstr("16385 x 1"));
@@ -127,10 +81,11 @@ TEST(Png, SizesAreCheckedBeforeMemoryIsTaken) {
 }
 
 TEST(Png, MoreOrFewerPixelsThanThePictureHasAreRefused) {
-    EXPECT_THAT(readPng(handmade(2, 2, 8, 0, {0, 1, 2, 0, 3})).error().message,
+    EXPECT_THAT(readPng(handmadePng(2, 2, 8, 0, {0, 1, 2, 0, 3})).error().message,
                 HasSubstr("end too early"));
-    EXPECT_THAT(readPng(handmade(2, 1, 8, 0, Bytes(60'000))).error().message, HasSubstr("damaged"));
-    EXPECT_THAT(readPng(handmade(1, 1, 3, 0, {0, 0})).error().message,
+    EXPECT_THAT(readPng(handmadePng(2, 1, 8, 0, Bytes(60'000))).error().message,
+                HasSubstr("damaged"));
+    EXPECT_THAT(readPng(handmadePng(1, 1, 3, 0, {0, 0})).error().message,
                 HasSubstr("unknown pixel format"));
 }
 
@@ -157,10 +112,11 @@ TEST(Png, DamagedPixelsNeverCrash) {
         }
         constexpr std::uint8_t kDepths[] = {1, 2, 4, 8, 16};
         constexpr std::uint8_t kTypes[] = {0, 2, 3, 4, 6};
-        const Bytes png = handmade(static_cast<std::uint8_t>(random.between(1, 5)),
-                                   static_cast<std::uint8_t>(random.between(1, 5)),
-                                   kDepths[random.between(0, 4)], kTypes[random.between(0, 4)],
-                                   rows, Bytes(static_cast<std::size_t>(random.between(0, 3)) * 3));
+        const Bytes png =
+            handmadePng(static_cast<std::uint8_t>(random.between(1, 5)),
+                        static_cast<std::uint8_t>(random.between(1, 5)),
+                        kDepths[random.between(0, 4)], kTypes[random.between(0, 4)], rows,
+                        Bytes(static_cast<std::size_t>(random.between(0, 3)) * 3));
         const Result<Image> image = readPng(png);
         if (image) {
             EXPECT_LE(image->pixels.size(), 25u);

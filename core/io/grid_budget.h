@@ -1,0 +1,71 @@
+// Voxels of a file that is not trusted, put into grids within a limit: OpenVDB stores 8 x 8 x 8
+// voxels even for one, so that a small file may ask for much memory.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <unordered_set>
+
+#include "core/base/result.h"
+#include "core/model/voxel_grid.h"
+
+namespace voxprite {
+
+// For all grids of one file together: blocks of about a gigabyte, and more where the file is large
+// itself.
+class GridBudget {
+  public:
+    explicit GridBudget(std::uint64_t fileBytes)
+        : blocksLeft_((kAllowanceBytes + 32 * fileBytes) / kBytesPerBlock) {}
+
+    // Is there room for so many more?
+    [[nodiscard]] bool has(std::uint64_t blocks) const { return blocks <= blocksLeft_; }
+    [[nodiscard]] bool takeOne() {
+        if (blocksLeft_ == 0) return false;
+        --blocksLeft_;
+        return true;
+    }
+    [[nodiscard]] static std::string refusal() {
+        return "the voxels would take more memory than a file of this length may ask for";
+    }
+
+  private:
+    static constexpr std::uint64_t kBytesPerBlock = 640;
+    static constexpr std::uint64_t kAllowanceBytes = std::uint64_t{1} << 30;
+    std::uint64_t blocksLeft_;
+};
+
+class BudgetedGrid {
+  public:
+    // `budget` outlives this.
+    explicit BudgetedGrid(GridBudget& budget) : budget_(&budget) {}
+
+    // `v` within the range of voxels, `value` not 0. False when the budget is used up.
+    [[nodiscard]] bool set(glm::ivec3 v, std::uint8_t value) {
+        const glm::ivec3 block(v.x >> 3, v.y >> 3, v.z >> 3);
+        if (block != lastBlock_ || !started_) {
+            if (blocks_.insert(keyOf(block)).second && !budget_->takeOne()) return false;
+            lastBlock_ = block;
+            started_ = true;
+        }
+        grid_.set(v, value);
+        return true;
+    }
+    [[nodiscard]] VoxelGrid release() { return std::move(grid_); }
+
+  private:
+    // Positions of blocks have 22 bits.
+    static std::uint64_t keyOf(glm::ivec3 block) {
+        const auto bits = [](int x) { return static_cast<std::uint64_t>(x + (1 << 21)); };
+        return bits(block.x) << 44 | bits(block.y) << 22 | bits(block.z);
+    }
+
+    GridBudget* budget_;
+    VoxelGrid grid_;
+    std::unordered_set<std::uint64_t> blocks_;
+    glm::ivec3 lastBlock_{0};
+    bool started_ = false;
+};
+
+}  // namespace voxprite
