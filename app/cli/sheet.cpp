@@ -77,6 +77,10 @@ Result<Report> sheet(const Options& options) {
     const Result<std::vector<SheetFile>> files =
         sheetFiles(*made, loaded->document, *profile, options.sheet, output, turntable);
     if (!files) return Failure(files.error());
+    Json warnings = Json::array();
+    for (const SheetFile& file : *files) {
+        if (file.loss) warnings.push_back(textJson(file.path.string() + ": " + *file.loss));
+    }
     if (const Status written = writeSheetFiles(*files); !written) return Failure(written.error());
     Report report;
     const Image& image = made->pictures.front().image;
@@ -85,7 +89,9 @@ Result<Report> sheet(const Options& options) {
                    {"cell", {made->cellPx.x, made->cellPx.y}},
                    {"anchor", {made->anchorPixel.x, made->anchorPixel.y}},
                    {"sprites", made->sprites.size()},
-                   {"files", Json::array()}};
+                   {"files", Json::array()},
+                   {"warnings", warnings}};
+    report.text = warningLines(warnings);
     for (const SheetFile& file : *files) {
         report.json["files"].push_back(
             {{"file", textJson(file.path.string())}, {"bytes", file.bytes.size()}});
@@ -152,8 +158,9 @@ void addSheet(CLI::App& app, Command& command) {
         ->required()
         ->type_name("OUT.png");
     addLayoutOptions(sub, options);
-    sub.add_option("--turntable", options->turntable, "An animated PNG of all sprites in turn")
-        ->type_name("FILE.png");
+    sub.add_option("--turntable", options->turntable,
+                   "An animated picture of all sprites in turn: GIF, or PNG, which loses nothing")
+        ->type_name("FILE.png|FILE.gif");
     sub.add_option("--turntable-ms", options->turntableMilliseconds,
                    "How long a view of it shows, where no clip says (80)")
         ->check(CLI::Range(1, 65535));

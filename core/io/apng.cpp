@@ -34,7 +34,7 @@ Bytes packedPixels(const Bytes& png) {
     return packed;
 }
 
-Bytes frameControl(std::uint32_t number, const ApngFrame& frame) {
+Bytes frameControl(std::uint32_t number, const AnimationFrame& frame) {
     Bytes control;
     putBigEndian(control, number, 4);
     putBigEndian(control, static_cast<std::uint32_t>(frame.image.width), 4);
@@ -50,13 +50,13 @@ Bytes frameControl(std::uint32_t number, const ApngFrame& frame) {
 
 }  // namespace
 
-Result<Bytes> writeApng(std::span<const ApngFrame> frames) {
+Result<Bytes> writeApng(std::span<const AnimationFrame> frames) {
     if (frames.empty()) return fail("an animation needs a frame");
     const Image& first = frames.front().image;
     Bytes file;
     std::uint32_t number = 0;
     for (std::size_t k = 0; k < frames.size(); ++k) {
-        const ApngFrame& frame = frames[k];
+        const AnimationFrame& frame = frames[k];
         if (frame.image.width != first.width || frame.image.height != first.height) {
             return fail("frame " + std::to_string(k) + " has another size than the first");
         }

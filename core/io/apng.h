@@ -10,12 +10,12 @@
 
 namespace voxprite {
 
-struct ApngFrame {
+struct AnimationFrame {
     Image image;
     int milliseconds = 100;  // 1 ... 65,535
 };
 
 // Plays for ever. Frames of one size, at least one; fails else, and as writePng does.
-[[nodiscard]] Result<Bytes> writeApng(std::span<const ApngFrame> frames);
+[[nodiscard]] Result<Bytes> writeApng(std::span<const AnimationFrame> frames);
 
 }  // namespace voxprite

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/ending.h"
 #include "core/base/file.h"
 #include "core/io/apng.h"
+#include "core/io/gif.h"
 #include "core/io/png.h"
 #include "core/sheet/sheet_json.h"
 
@@ -43,13 +45,19 @@ Status addPng(std::vector<SheetFile>& files, const std::filesystem::path& path,
 
 Status addTurntable(std::vector<SheetFile>& files, const Turntable& turntable, const Sheet& sheet,
                     const Document& document) {
-    std::vector<ApngFrame> frames;
+    std::vector<AnimationFrame> frames;
     std::vector<Image> cells = cellsOf(sheet, sheet.pictures.front(), turntable.magnify);
     const bool moving = !document.clips.empty();
     for (std::size_t k = 0; k < cells.size(); ++k) {
-        frames.push_back({std::move(cells[k]),
-                          moving ? frameMilliseconds(document, sheet.sprites[k].frame)
-                                 : turntable.milliseconds});
+        frames.push_back(
+            {std::move(cells[k]), moving ? frameMilliseconds(document, sheet.sprites[k].frame)
+                                         : turntable.milliseconds});
+    }
+    if (lowerEndingOf(turntable.path) == ".gif") {
+        Result<GifImage> gif = inFile(writeGif(frames), turntable.path.string());
+        if (!gif) return Failure(gif.error());
+        files.push_back({turntable.path, std::move(gif->bytes), std::move(gif->loss)});
+        return {};
     }
     Result<Bytes> bytes = inFile(writeApng(frames), turntable.path.string());
     if (!bytes) return Failure(bytes.error());

@@ -14,17 +14,18 @@
 
 namespace voxprite {
 
-// An animated PNG of all sprites in turn: of a still model it turns.
+// An animated picture of all sprites in turn: of a still model it turns.
 struct Turntable {
-    std::filesystem::path path;
-    int milliseconds = 80;  // a view, where no clip says how long a frame lasts
-    int magnify = 4;        // pixels a virtual pixel
+    std::filesystem::path path;  // a GIF where it ends in .gif, else a PNG, which loses nothing
+    int milliseconds = 80;       // a view, where no clip says how long a frame lasts
+    int magnify = 4;             // pixels a virtual pixel
 };
 
 // A file that is written when all of them are made.
 struct SheetFile {
     std::filesystem::path path;
     Bytes bytes;
+    std::optional<std::string> loss{};  // what of the pictures is not in it, a sentence
 };
 
 // `output`, which ends in .png, is the sprites' picture; the others and the text are named after

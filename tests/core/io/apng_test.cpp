@@ -46,8 +46,8 @@ std::vector<Chunk> chunksOf(const Bytes& file) {
     return chunks;
 }
 
-std::vector<ApngFrame> threeFrames() {
-    std::vector<ApngFrame> frames;
+std::vector<AnimationFrame> threeFrames() {
+    std::vector<AnimationFrame> frames;
     for (int k = 0; k < 3; ++k) {
         Image image(5, 4, Rgba8(10 * k, 200, 30, 255));
         image.at(k, 1) = Rgba8(0);
@@ -57,12 +57,12 @@ std::vector<ApngFrame> threeFrames() {
 }
 
 TEST(Apng, ViewersThatKnowNoAnimationSeeTheFirstFrame) {
-    const std::vector<ApngFrame> frames = threeFrames();
+    const std::vector<AnimationFrame> frames = threeFrames();
     EXPECT_EQ(must(readPng(must(writeApng(frames)))), frames[0].image);
 }
 
 TEST(Apng, HoldsEveryFrameInOrder) {
-    const std::vector<ApngFrame> frames = threeFrames();
+    const std::vector<AnimationFrame> frames = threeFrames();
     const Bytes file = must(writeApng(frames));
     const std::vector<Chunk> chunks = chunksOf(file);
     std::string types;
@@ -93,7 +93,7 @@ TEST(Apng, HoldsEveryFrameInOrder) {
 
 TEST(Apng, RefusesWhatItCannotHold) {
     EXPECT_FALSE(writeApng({}));
-    std::vector<ApngFrame> frames = threeFrames();
+    std::vector<AnimationFrame> frames = threeFrames();
     frames[1].image = Image(5, 5, Rgba8(1, 2, 3, 4));
     const auto sizes = writeApng(frames);
     ASSERT_FALSE(sizes);
