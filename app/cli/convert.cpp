@@ -84,7 +84,8 @@ Result<Report> convert(const Options& options) {
         if (options.output) throw CLI::ValidationError("-o and --out-dir exclude one another");
         return convertMany(options);
     }
-    if (!options.output) throw CLI::ValidationError("either -o OUT or --out-dir DIR is required");
+    if (!options.output)
+        throw CLI::ValidationError("either --output OUT or --out-dir DIR is required");
     if (options.inputs.size() != 1) {
         throw CLI::ValidationError("-o takes one file; for several there is --out-dir DIR");
     }
@@ -127,6 +128,10 @@ void addConvert(CLI::App& app, Command& command) {
     addParsed(sub, "--slice-rows", "N",
               "Of a .png with all layers below one another: rows of one layer", indexFrom,
               [options](int rows) { options->reading.slices.layerRows = rows; });
+    sub.add_option("--grid", options->reading.vdb.grid, "Of a .vdb: the grid that becomes voxels")
+        ->type_name("NAME");
+    addParsed(sub, "--threshold", "X", "Of a .vdb: density above this is solid (0.5)", numberFrom,
+              [options](double threshold) { options->reading.vdb.threshold = threshold; });
     addMeshReadOptions(sub, options->reading);
     addMeshWriteOptions(sub, options->writing);
     addJsonFlag(sub, command);

@@ -14,6 +14,7 @@
 #include "core/io/qb.h"
 #include "core/io/slices.h"
 #include "core/io/svo_file.h"
+#include "core/io/vdb.h"
 #include "core/io/vox.h"
 #include "core/model/entity_voxels.h"
 
@@ -110,6 +111,17 @@ Result<std::vector<NamedBytes>> savePng(const SaveRequest& request) {
     return files;
 }
 
+Result<LoadedDocument> loadVdb(const FileSource& source) {
+    Result<VdbImport> import = readVdb(source.bytes, source.options.vdb);
+    if (!import) return Failure(import.error());
+    return LoadedDocument{.document = std::move(import->document),
+                          .warnings = std::move(import->warnings)};
+}
+
+Result<Bytes> saveVdb(const SaveRequest& request) {
+    return writeVdb(request.document, {request.profile.voxelSizeMetres, request.profile.sigma});
+}
+
 Result<Bytes> saveCsm(const SaveRequest& request) {
     return writeCsm(request.document);
 }
@@ -161,6 +173,21 @@ constexpr Holds kSvoHolds{.frames = true,
                           .alpha = true,
                           .colourNames = true};
 
+constexpr Holds kVdbHolds{.scene = SceneHeld::objects,
+                          .sockets = true,
+                          .entityName = true,
+                          .anchor = true,
+                          .pose = true,
+                          .authored = true,
+                          .coordinates = true,
+                          .colours = ColoursHeld::palette,
+                          .alpha = true,
+                          .colourNames = true,
+                          .materials = true,
+                          .displayOrder = true,
+                          .ramps = true,
+                          .variants = true};
+
 constexpr std::array kFormats{
     FormatInfo{.format = Format::voxprite,
                .name = "voxprite",
@@ -210,6 +237,13 @@ constexpr std::array kFormats{
                .folders = true,
                .holds = {.coordinates = true, .alpha = true},
                .losses = sliceLosses},
+    FormatInfo{.format = Format::vdb,
+               .name = "vdb",
+               .ending = ".vdb",
+               .title = "OpenVDB",
+               .load = loadVdb,
+               .save = saveVdb,
+               .holds = kVdbHolds},
     FormatInfo{.format = Format::glb,
                .name = "glb",
                .ending = ".glb",

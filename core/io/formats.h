@@ -16,12 +16,13 @@
 #include "core/io/holds.h"
 #include "core/io/mesh_options.h"
 #include "core/io/slices.h"
+#include "core/io/vdb.h"
 #include "core/model/document.h"
 #include "core/model/game_profile.h"
 
 namespace voxprite {
 
-enum class Format : std::uint8_t { voxprite, vox, svo, csm, qb, png, glb, gltf, obj };
+enum class Format : std::uint8_t { voxprite, vox, svo, csm, qb, png, vdb, glb, gltf, obj };
 
 struct LoadedDocument {
     Document document;
@@ -35,6 +36,7 @@ struct LoadedDocument {
 struct ReadOptions {
     MeshReadOptions mesh;
     SliceReadOptions slices;
+    VdbReadOptions vdb;
 };
 // The same for writing.
 struct WriteOptions {

@@ -7,6 +7,7 @@
 #include <string>
 #include <unordered_set>
 
+#include "core/base/box.h"
 #include "core/base/result.h"
 #include "core/model/voxel_grid.h"
 
@@ -52,18 +53,44 @@ class BudgetedGrid {
         grid_.set(v, value);
         return true;
     }
+    // The same for a cube of an edge that is a power of two, aligned to it.
+    [[nodiscard]] bool fill(const IBox& cube, std::uint8_t value) {
+        const int edge = cube.size().x;
+        // What is stored as one value costs the node above it: of 64 or 512 voxels an edge.
+        const int shift = edge >= 64 ? 9 : 6;
+        std::unordered_set<std::uint64_t>& nodes = edge >= 64 ? largeNodes_ : smallNodes_;
+        const glm::ivec3 first = cube.min >> shift;
+        const glm::ivec3 last = (cube.max - 1) >> shift;
+        const auto across = static_cast<std::uint64_t>(last.x - first.x) + 1;
+        if (!budget_->has(across * across * across)) return false;
+        for (int x = first.x; x <= last.x; ++x) {
+            for (int y = first.y; y <= last.y; ++y) {
+                for (int z = first.z; z <= last.z; ++z) {
+                    const bool isNew = nodes.insert(keyOf({x, y, z})).second;
+                    for (int k = 0; isNew && k < kBlocksOfNode; ++k) {
+                        if (!budget_->takeOne()) return false;
+                    }
+                }
+            }
+        }
+        if (edge < 8 && !set(cube.min, value)) return false;
+        grid_.fill(cube, value);
+        return true;
+    }
     [[nodiscard]] VoxelGrid release() { return std::move(grid_); }
 
   private:
-    // Positions of blocks have 22 bits.
+    static constexpr int kBlocksOfNode = 16;
+    // Blocks more than 2^21 apart may share a key, and then count once.
     static std::uint64_t keyOf(glm::ivec3 block) {
-        const auto bits = [](int x) { return static_cast<std::uint64_t>(x + (1 << 21)); };
-        return bits(block.x) << 44 | bits(block.y) << 22 | bits(block.z);
+        const auto bits = [](int x) { return static_cast<std::uint64_t>(x) & 0x1F'FFFF; };
+        return bits(block.x) << 42 | bits(block.y) << 21 | bits(block.z);
     }
 
     GridBudget* budget_;
     VoxelGrid grid_;
     std::unordered_set<std::uint64_t> blocks_;
+    std::unordered_set<std::uint64_t> smallNodes_, largeNodes_;
     glm::ivec3 lastBlock_{0};
     bool started_ = false;
 };
