@@ -77,7 +77,7 @@
                 const by = caster.cast(one, view, lit.light8, lit.outline);
                 const told = { by, hashes: hashesOf(caster.read()) };
                 // The processor casts some of those too that it need not.
-                if (++count % 17 === 0 && by === "gpu" && view.size[0] * view.size[1] < 8000) {
+                if (++count % 7 === 0 && by === "gpu" && view.size[0] * view.size[1] < 8000) {
                     told.processor = hashesOf(Lattice.cast(file, one, view,
                         Lattice.litPalette(file.palette, lit.light8), lit.outline));
                 }
