@@ -59,7 +59,8 @@ std::string growthTable(const TradeReport& report) {
         if (growth.samples.empty()) continue;
         const Growth::Sample &first = growth.samples.front(), &last = growth.samples.back();
         rows.push_back(
-            {growth.title + ", " + growth.unit, cli::textOf(first.size), cli::textOf(last.size),
+            {growth.title + ", " + growth.unit, plot::tickText(first.size),
+             plot::tickText(last.size),
              rounded(first.milliseconds.median) + " ... " + rounded(last.milliseconds.median),
              exponentText(growth, millisecondsOf),
              std::to_string(std::llround(first.rays)) + " ... " +

@@ -211,7 +211,9 @@ std::string growthSection(const TradeReport& report) {
         const Growth::Sample &first = growth.samples.front(), &last = growth.samples.back();
         const auto range = [](double a, double b) { return number(a) + " – " + number(b); };
         out +=
-            row({escaped(growth.title), range(first.size, last.size) + " " + escaped(growth.unit),
+            row({escaped(growth.title),
+                 plot::tickText(first.size) + " – " + plot::tickText(last.size) + " " +
+                     escaped(growth.unit),
                  escaped(growth.what), range(first.milliseconds.median, last.milliseconds.median),
                  exponent(growth, millisecondsOf), whole(first.rays) + " – " + whole(last.rays),
                  exponent(growth, raysOf), mebibytes(first.bytes) + " – " + mebibytes(last.bytes),
