@@ -24,7 +24,8 @@ struct JobSet {
     std::vector<SpriteJob> jobs;
 };
 
-// Each sample from 20 views at three sigmas and more, frames in turn; and a model too large for 31 bits.
+// Each sample from 20 views at three sigmas and more, frames in turn; and a model too large for 31
+// bits.
 [[nodiscard]] std::vector<JobSet> spriteJobs();
 // The shot of one of them.
 [[nodiscard]] nlohmann::json oneShot();
