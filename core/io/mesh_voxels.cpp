@@ -217,6 +217,9 @@ class Voxeliser {
         // The band knows the nearest triangle only of cells that the surface is close to.
         constexpr double kSure = 0.86;
         if (!near || near->squaredDistance > kSure * kSure) near = tree_.nearest(centre, hint);
+        if (inside && closed_ && !isBehind(mesh_.triangles[near->triangle], *near, centre)) {
+            near = tree_.nearestFromBehind(centre, *near, kSlack);
+        }
         hint = near->triangle;
         const Rgba8 colour = colourOf(*near).value_or(Rgba8(0));
         return colour.w != 0 && inside && !isOpen(cell) ? hidden(colour) : colour;
@@ -231,10 +234,7 @@ class Voxeliser {
     [[nodiscard]] bool touches(const SurfacePoint& near, const glm::dvec3& centre) const {
         const double distance = std::sqrt(near.squaredDistance);
         if (std::abs(distance - 0.5) > kSlack) return distance < 0.5;
-        const auto& corners = mesh_.triangles[near.triangle].corners;
-        const glm::dvec3 normal = glm::cross(corners[1].position - corners[0].position,
-                                             corners[2].position - corners[0].position);
-        return glm::dot(centre - near.position, normal) < 0.0;
+        return isBehind(mesh_.triangles[near.triangle], near, centre);
     }
 
     // Whether cells inside already show this point of a closed surface.

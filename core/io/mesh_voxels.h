@@ -9,9 +9,10 @@
 // Hollow  Without `solid` a closed mesh is the voxels of the above that have an empty neighbour at
 //         one of their six faces. From outside both look the same.
 // Colour  That of the surface's nearest point to the voxel's centre, of equally near ones on the
-//         triangle that comes last in the file, as what is drawn last shows; deeper than 8 voxels, to the centre of the cube
-//         of 8 voxels that it is in. More than 255 colours are reduced (colour_reduction.h), by those
-//         of voxels with an open face; the others take the nearest.
+//         triangle that comes last in the file, as what is drawn last shows, and of touching
+//         bodies the one that the voxel is in; deeper than 8 voxels, to the centre of the cube
+//         of 8 voxels that it is in. More than 255 colours are reduced (colour_reduction.h), by
+//         those of voxels with an open face; the others take the nearest.
 //
 // So a voxel model that was written as a mesh and is read with its longest side's voxels is the
 // same again: all its voxels with `solid`, and the colours of all that an open face shows.

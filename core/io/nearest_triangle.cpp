@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -71,6 +72,13 @@ SurfacePoint nearestOnTriangle(const MeshTriangle& triangle, std::uint32_t index
     return nearest;
 }
 
+bool isBehind(const MeshTriangle& triangle, const SurfacePoint& nearest, const glm::dvec3& point) {
+    const auto& corners = triangle.corners;
+    const glm::dvec3 normal = glm::cross(corners[1].position - corners[0].position,
+                                         corners[2].position - corners[0].position);
+    return glm::dot(point - nearest.position, normal) < 0.0;
+}
+
 NearestTriangle::NearestTriangle(std::span<const MeshTriangle> triangles)
     : triangles_(triangles), order_(triangles.size()) {
     std::iota(order_.begin(), order_.end(), 0u);
@@ -137,6 +145,37 @@ SurfacePoint NearestTriangle::nearest(const glm::dvec3& point, std::uint32_t hin
                 (found.squaredDistance == best.squaredDistance && found.triangle < best.triangle)) {
                 best = found;
             }
+        }
+    }
+    return best;
+}
+
+SurfacePoint NearestTriangle::nearestFromBehind(const glm::dvec3& point,
+                                                const SurfacePoint& nearest, double slack) const {
+    const double reach = std::sqrt(nearest.squaredDistance) + slack;
+    SurfacePoint best = nearest;
+    bool found = isBehind(triangles_[nearest.triangle], nearest, point);
+    std::array<std::uint32_t, 64> waiting{};
+    std::size_t count = 0;
+    waiting[count++] = 0;
+    while (count > 0) {
+        const std::uint32_t at = waiting[--count];
+        const Node& node = nodes_[at];
+        if (squaredDistanceTo(node.low, node.high, point) > reach * reach) continue;
+        if (node.count == 0) {
+            waiting[count++] = node.first;
+            waiting[count++] = at + 1;
+            continue;
+        }
+        for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+            if (found && order_[k] >= best.triangle) continue;
+            const MeshTriangle& triangle = triangles_[order_[k]];
+            const SurfacePoint other = nearestOnTriangle(triangle, order_[k], point);
+            if (other.squaredDistance > reach * reach || !isBehind(triangle, other, point)) {
+                continue;
+            }
+            best = other;
+            found = true;
         }
     }
     return best;

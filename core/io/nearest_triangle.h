@@ -21,6 +21,10 @@ struct SurfacePoint {
 [[nodiscard]] SurfacePoint nearestOnTriangle(const MeshTriangle& triangle, std::uint32_t index,
                                              const glm::dvec3& point);
 
+// Whether `point`, to which `nearest` is the nearest point of the triangle, is on its inner side.
+[[nodiscard]] bool isBehind(const MeshTriangle& triangle, const SurfacePoint& nearest,
+                            const glm::dvec3& point);
+
 // Reading from several threads at once is safe. The triangles must outlive it, unchanged.
 class NearestTriangle {
   public:
@@ -29,6 +33,12 @@ class NearestTriangle {
     // Of equally near ones the triangle with the lowest index. `hint`, any triangle, changes how
     // soon the answer is found and never what it is.
     [[nodiscard]] SurfacePoint nearest(const glm::dvec3& point, std::uint32_t hint = 0) const;
+
+    // For a point inside of touching bodies, whose sides lie on each other: of the triangles that
+    // are at most `slack` farther away than `nearest`, the first that the point is behind;
+    // `nearest` itself where there is none.
+    [[nodiscard]] SurfacePoint nearestFromBehind(const glm::dvec3& point,
+                                                 const SurfacePoint& nearest, double slack) const;
 
   private:
     struct Node {

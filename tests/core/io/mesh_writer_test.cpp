@@ -163,11 +163,27 @@ Document scene() {
     return document;
 }
 
+// Each of a chequered row of boxes beside the next.
+Document touching() {
+    Document document = documentOf(solidBox({3, 4, 5}, 1));
+    for (const std::uint8_t colour : std::initializer_list<std::uint8_t>{9, 4, 7}) {
+        SceneNode node;
+        node.parent = 0;
+        node.models = {{0, static_cast<int>(document.models.size())}};
+        node.placements[0].placement.translation = {3 * static_cast<int>(document.models.size()), 0,
+                                                    1};
+        document.models.push_back({solidBox({3, 4, 5}, colour), {}});
+        document.nodes[0].children.push_back(static_cast<int>(document.nodes.size()));
+        document.nodes.push_back(node);
+    }
+    return document;
+}
+
 TEST(MeshRoundTrip, GlbGivesTheVoxelsBack) {
     Document noise = documentOf(randomVoxels(3, {24, 17, 31}, 0.5, 255));
     noise.entity.anchorVoxels = glm::dvec3(3.0, -2.5, 40.0);
     for (const Document& document :
-         {documentOf(figure()), scene(), noise, documentOf(shellSphere(33)),
+         {documentOf(figure()), scene(), noise, touching(), documentOf(shellSphere(33)),
           documentOf(solidBox({1, 1, 1}))}) {
         WriteOptions colours;
         colours.mesh.vertexColours = true;
