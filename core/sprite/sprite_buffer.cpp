@@ -111,7 +111,7 @@ SpriteBuffer castSprite(const OctreeView& octree, const LatticeView& lattice, co
     constexpr int kEdge = PacketHits::kEdge;
     const glm::ivec2 packets = (buffer.size + (kEdge - 1)) / kEdge;
     parallelFor(packets.x * packets.y, threads, [&](int firstPacket, int lastPacket) {
-        const auto hits = std::make_unique<PacketHits>();
+        const auto hits = std::make_unique_for_overwrite<PacketHits>();
         PacketPainter painter(octree, lattice, lit, buffer, opaque);
         for (int packet = firstPacket; packet < lastPacket; ++packet) {
             const glm::ivec2 corner{packet % packets.x * kEdge, packet / packets.x * kEdge};

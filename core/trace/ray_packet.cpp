@@ -143,7 +143,7 @@ void raycastPicture(const OctreeView& octree, glm::ivec2 size, int maxDepth, int
     const glm::ivec2 packets = (size + (kEdge - 1)) / kEdge;
     parallelFor(packets.x * packets.y, threads, [&](int firstPacket, int lastPacket) {
         const OnRaycastHit onHit = eachHit();
-        const auto hits = std::make_unique<RayPacketHits>();
+        const auto hits = std::make_unique_for_overwrite<RayPacketHits>();
         std::vector<Ray> rays;
         for (int packet = firstPacket; packet < lastPacket; ++packet) {
             const glm::ivec2 first{packet % packets.x * kEdge, packet / packets.x * kEdge};

@@ -41,8 +41,8 @@ class EyeRays {
         const int depth = tree.octree.maxDepth;
         positionBits_ = kRayEdgeBits - depth;
         rootEdge_ = std::ldexp(1.0, kRayEdgeBits);
-        for (int a = 0; a < 3; ++a) {
-            // quantiseRay's start of every ray, where the eye is in the box.
+        for (int a = 0; picture.inside && a < 3; ++a) {
+            // quantiseRay's start of every ray: it is the eye.
             const double steps =
                 (picture.rays[0].origin[a] + tree.octree.treeFromVoxel[a]) * (1 << positionBits_);
             const auto start =
@@ -252,7 +252,7 @@ class EyeRays {
     RayPacketHits& hits_;
     int positionBits_ = 0;
     double rootEdge_ = 0.0;  // in steps
-    double eye_[3];          // mirrored, in steps; where it is in the box
+    double eye_[3]{};        // mirrored, in steps; where it is in the box
     std::array<Level, kMaxOctreeDepth> levels_;
 };
 

@@ -155,7 +155,7 @@ void castPackets(glm::ivec2 size, int threads, Materials& hits, const Cast& cast
     constexpr int kEdge = PacketHits::kEdge;
     const glm::ivec2 packets = (size + (kEdge - 1)) / kEdge;
     parallelFor(packets.x * packets.y, threads, [&](int first, int last) {
-        const auto met = std::make_unique<Hits>();
+        const auto met = std::make_unique_for_overwrite<Hits>();
         for (int packet = first; packet < last; ++packet) {
             const glm::ivec2 corner{packet % packets.x * kEdge, packet / packets.x * kEdge};
             const glm::ivec2 part = glm::min(size - corner, glm::ivec2(kEdge));
