@@ -221,7 +221,7 @@ std::string SheetDialog::problem() const {
 }
 
 std::string SheetDialog::said() const {
-    if (const std::string text = problem(); !text.empty()) return text;
+    if (std::string text = problem(); !text.empty()) return text;
     if (maker_.working()) {
         return maker_.stage().empty() ? "Casting…" : "Casting: " + maker_.stage();
     }
