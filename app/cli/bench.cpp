@@ -18,8 +18,8 @@
 namespace voxprite::cli {
 namespace {
 
-constexpr std::array<const char*, 9> kParts{"cast",  "raycast",  "bake",    "update", "frame",
-                                            "shade", "clusters", "latency", "files"};
+constexpr std::array<const char*, 10> kParts{"cast",  "raycast", "bake",     "update",  "memory",
+                                             "frame", "shade",   "clusters", "latency", "files"};
 
 struct Options {
     std::vector<std::string> only;
@@ -109,9 +109,9 @@ Result<Report> runBench(const Options& options) {
     }
     using Part = Result<Json> (*)(const std::vector<bench::BenchModel>&, const bench::Effort&);
     constexpr std::array<Part, kParts.size()> run{
-        bench::benchCast,     bench::benchRaycast, bench::benchBake,
-        bench::benchUpdate,   bench::benchFrame,   bench::benchShade,
-        bench::benchClusters, bench::benchLatency, bench::benchFiles};
+        bench::benchCast,    bench::benchRaycast, bench::benchBake,  bench::benchUpdate,
+        bench::benchMemory,  bench::benchFrame,   bench::benchShade, bench::benchClusters,
+        bench::benchLatency, bench::benchFiles};
     for (std::size_t k = 0; k < kParts.size(); ++k) {
         if (!wanted(kParts[k])) continue;
         Result<Json> figures = run[k](*models, effort);
@@ -141,10 +141,10 @@ Result<Report> runBench(const Options& options) {
 void addBench(CLI::App& app, Command& command) {
     CLI::App& sub = *app.add_subcommand("bench", "Measure this machine");
     auto options = std::make_shared<Options>();
-    sub.add_option(
-           "--only", options->only,
-           "Only these parts: cast, raycast, bake, update, frame, shade, clusters, latency, "
-           "files")
+    sub.add_option("--only", options->only,
+                   "Only these parts: cast, raycast, bake, update, memory, frame, shade, clusters, "
+                   "latency, "
+                   "files")
         ->delimiter(',')
         ->check(CLI::IsMember(std::vector<std::string>(kParts.begin(), kParts.end())))
         ->type_name("PART,...");

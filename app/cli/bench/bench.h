@@ -62,6 +62,8 @@ void progress(const Effort& effort, const std::string& what);
 [[nodiscard]] Result<Json> benchCast(const std::vector<BenchModel>& models, const Effort& effort);
 [[nodiscard]] Result<Json> benchBake(const std::vector<BenchModel>& models, const Effort& effort);
 [[nodiscard]] Result<Json> benchUpdate(const std::vector<BenchModel>& models, const Effort& effort);
+// Bytes, and bytes a solid voxel.
+[[nodiscard]] Result<Json> benchMemory(const std::vector<BenchModel>& models, const Effort& effort);
 [[nodiscard]] Result<Json> benchFiles(const std::vector<BenchModel>& models, const Effort& effort);
 // These need a current GL context.
 [[nodiscard]] Result<Json> benchFrame(const std::vector<BenchModel>& models, const Effort& effort);

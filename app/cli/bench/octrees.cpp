@@ -1,6 +1,9 @@
 // Baking octrees, and keeping a live one up to date.
-#include <cmath>
+#include <glad/gl.h>
+
+#include <algorithm>
 #include <random>
+#include <ranges>
 
 #include "app/cli/bench/bench.h"
 #include "app/cli/bench/rivals.h"
@@ -10,6 +13,7 @@
 #include "core/svo/bake.h"
 #include "core/svo/bake_on_threads.h"
 #include "core/svo/live_octree.h"
+#include "render/gpu_octree.h"
 
 namespace voxprite::bench {
 namespace {
@@ -45,18 +49,45 @@ Edits toggledCube(const LiveOctree& live, glm::ivec3 centre, int edge) {
     return edits;
 }
 
-// Microseconds an edit, the median of many at different places; each is undone, which counts, too.
-Result<double> medianEditUs(LiveOctree& live, const Octree& octree, int edge, int count) {
+// The ball of a brush of radius 8, likewise.
+Edits toggledBall(const LiveOctree& live, glm::ivec3 centre) {
+    Edits edits = toggledCube(live, centre, 17);
+    std::erase_if(edits, [&](const LiveOctree::Edit& edit) {
+        const glm::ivec3 d = edit.voxel - centre;
+        return d.x * d.x + d.y * d.y + d.z * d.z > 64;
+    });
+    return edits;
+}
+
+// Whether there is a context to upload to.
+bool hasGl() {
+    return glFinish != nullptr;
+}
+
+// Microseconds an edit by `apply`, the median of many at different places; each is undone, which
+// counts, too. Single voxels are too quick for the clock: of them it times a hundred.
+template <class MakeEdits, class Apply>
+Result<double> medianEditUs(const LiveOctree& live, const Octree& octree, int count, int batch,
+                            const MakeEdits& makeEdits, const Apply& apply) {
     std::mt19937 random(7);
     std::vector<double> times;
-    for (int k = 0; k < count; ++k) {
-        const glm::ivec3 centre = randomVoxel(random, octree);
-        for (int pass = 0; pass < 2; ++pass) {
-            const Edits edits = toggledCube(live, centre, edge);
+    for (int k = 0; k < count; k += batch) {
+        std::vector<Edits> todo, undo;
+        for (int i = 0; i < batch; ++i) {
+            todo.push_back(makeEdits(randomVoxel(random, octree)));
+            Edits back;
+            for (const LiveOctree::Edit& edit : todo.back()) {
+                back.push_back({edit.voxel, live.at(edit.voxel)});
+            }
+            undo.push_back(std::move(back));
+        }
+        std::ranges::reverse(undo);
+        for (const std::vector<Edits>* pass : {&todo, &undo}) {
             const cli::Stopwatch watch;
-            if (Status status = live.apply(edits); !status) return Failure(status.error());
-            times.push_back(watch.milliseconds() * 1000.0);
-            static_cast<void>(live.takeChanges());
+            for (const Edits& edits : *pass) {
+                if (Status status = apply(edits); !status) return Failure(status.error());
+            }
+            times.push_back(watch.milliseconds() * 1000.0 / batch);
         }
     }
     return median(std::move(times));
@@ -96,13 +127,52 @@ Result<Json> benchUpdate(const std::vector<BenchModel>& models, const Effort& ef
     const int count = effort.quick ? 200 : 2000;
     Json figures = Json::array();
     for (const BenchModel& model : models) {
+        progress(effort, "update: " + model.name);
         LiveOctree live;
         if (Status status = live.rebuild(model.voxels); !status) return Failure(status.error());
-        for (const auto& [edge, name] : {std::pair{1, "voxel"}, std::pair{8, "box8"}}) {
-            const Result<double> us = medianEditUs(live, model.octree, edge, count);
-            if (!us) return Failure(us.error());
-            figures.push_back({{"model", model.name}, {"edit", name}, {"us", *us}});
-        }
+        VdbGrid grid(model.voxels);
+        GpuOctree gpu;
+        const IBox bounds = model.voxels.bounds();
+        const auto patch = [&](const Edits& edits) { return live.apply(edits); };
+        // As the editor does it, until the driver has what changed.
+        const auto patchAndUpload = [&](const Edits& edits) {
+            Status status = live.apply(edits);
+            gpu.update(live.view(bounds), live.takeChanges());
+            glFinish();
+            return status;
+        };
+        const auto writeVdb = [&](const Edits& edits) -> Status {
+            for (const LiveOctree::Edit& edit : edits) grid.set(edit.voxel, edit.material);
+            return {};
+        };
+        const auto measure = [&](const char* edit, int edits, int batch,
+                                 const auto& makeEdits) -> Status {
+            const auto add = [&](const char* updater, const auto& apply) -> Status {
+                const Result<double> us =
+                    medianEditUs(live, model.octree, edits, batch, makeEdits, apply);
+                if (!us) return Failure(us.error());
+                figures.push_back(
+                    {{"model", model.name}, {"edit", edit}, {"updater", updater}, {"us", *us}});
+                return {};
+            };
+            if (Status done = add("octree", patch); !done) return done;
+            static_cast<void>(live.takeChanges());
+            if (hasGl()) {
+                gpu.upload(live.view(bounds));
+                if (Status done = add("octree_uploaded", patchAndUpload); !done) return done;
+            }
+            return add("openvdb", writeVdb);
+        };
+        const auto voxel = [&](glm::ivec3 v) { return toggledCube(live, v, 1); };
+        const auto box = [&](glm::ivec3 v) { return toggledCube(live, v, 8); };
+        const auto ball = [&](glm::ivec3 v) { return toggledBall(live, v); };
+        const auto beyond = [&](glm::ivec3) {
+            return Edits{{model.octree.origin - model.octree.size, 7}};
+        };
+        if (Status done = measure("voxel", count, 100, voxel); !done) return Failure(done.error());
+        if (Status done = measure("box8", count, 1, box); !done) return Failure(done.error());
+        if (Status done = measure("brush8", count, 1, ball); !done) return Failure(done.error());
+        if (Status done = measure("beyond", count, 1, beyond); !done) return Failure(done.error());
     }
     return figures;
 }
