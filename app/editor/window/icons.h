@@ -3,9 +3,6 @@
 
 namespace voxprite::editor::icon {
 
-inline constexpr char32_t kFirst = 0xF001;
-inline constexpr char32_t kLast = 0xF6FF;
-
 inline constexpr const char* kAttach = "\uF3EB";
 inline constexpr const char* kErase = "\uF1FE";
 inline constexpr const char* kPaint = "\uF27C";
