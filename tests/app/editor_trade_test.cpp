@@ -34,7 +34,7 @@ class EditorTrade : public testing::Test {
     // As little as can be measured: what matters here is who measures, and when.
     static trade::Plan smallPlan() {
         trade::Plan plan = TradeStudy::usualPlan();
-        plan.sizesPx = {12.0};
+        plan.sizesPx = {24.0};  // large enough for sigmas to differ
         plan.views = 1;
         plan.frames = 2;
         plan.leastRepeats = 1;
@@ -187,13 +187,15 @@ TEST_F(EditorTrade, TheCheapestWithinAnErrorIsOneStepThatCanBeUndone) {
     finish();
     TradeSettings settings;
     settings.cost = trade::Cost::rays;  // the same on every machine
-    settings.errorBudget = 0.3;
+    settings.errorBudget = kMostTradeError;
     const trade::Point* best = cheapestWithinMyError(study_, settings);
     ASSERT_NE(best, nullptr);
-    EXPECT_LE(best->error(settings.yardstick), 0.3);
+    EXPECT_LE(best->error(settings.yardstick), settings.errorBudget);
     EXPECT_TRUE(trade::fitsProfile(best->setting));
     for (const trade::Point& point : study_.curve().points) {
-        if (!trade::fitsProfile(point.setting) || point.error(settings.yardstick) > 0.3) continue;
+        if (!trade::fitsProfile(point.setting) ||
+            point.error(settings.yardstick) > settings.errorBudget)
+            continue;
         EXPECT_GE(point.rays(), best->rays()) << point.name;
     }
     EXPECT_LT(best->rays(), study_.find(inForce())->rays());
