@@ -108,7 +108,8 @@ TEST(Vdb, DensityAboveAThreshold) {
             EXPECT_EQ(seen(import.document), (test::VoxelMap{{{1, 0, 0}, 1}}));
             EXPECT_THAT(import.warnings, Contains(HasSubstr("above 0.5 is inside")));
             EXPECT_THAT(import.warnings, Contains(HasSubstr("passed over: \"heat\"")));
-            EXPECT_EQ(seen(must(readVdb(file, {.grid = "", .threshold = 0.1})).document).size(), 2u);
+            EXPECT_EQ(seen(must(readVdb(file, {.grid = "", .threshold = 0.1})).document).size(),
+                      2u);
             EXPECT_EQ(seen(must(readVdb(file, {.grid = "heat"})).document),
                       (test::VoxelMap{{{5, 5, 5}, 1}}));
             EXPECT_FALSE(readVdb(file, {.grid = "none"}));
@@ -190,11 +191,15 @@ TEST(Vdb, ReadsBackEqual) {
     EXPECT_EQ(must(readVdb(must(writeVdb(document, document.authored)))).document, document);
 }
 
+// Nodes of 4 an edge: a file of a few hundred bytes, so that every byte can be gone through.
+template <class Value>
+using Small = openvdb::Grid<typename openvdb::tree::Tree4<Value, 2, 2, 2>::Type>;
+
 Bytes wholeFile(std::uint32_t packing) {
-    const auto density = named<openvdb::FloatGrid>("density");
+    const auto density = named<Small<float>>("density");
     density->tree().setValueOn({0, 0, 0}, 0.75f);
     density->tree().setValueOn({300, 0, 0}, 0.25f);
-    const auto colours = named<openvdb::Vec3SGrid>("Cd");
+    const auto colours = named<Small<openvdb::Vec3s>>("Cd");
     colours->tree().setValueOn({0, 0, 0}, openvdb::Vec3s(1.0f, 0.5f, 0.0f));
     return fileOf({density, colours}, packing);
 }
@@ -203,11 +208,8 @@ TEST(VdbDamage, EveryTruncationIsRefused) {
     for (const std::uint32_t packing : {kPackings[3], kPackings[4]}) {
         const Bytes whole = wholeFile(packing);
         ASSERT_TRUE(readVdb(whole));
-        // Masks are most of the file: all lengths near its ends, the others in steps.
-        for (std::size_t length = 0; length < whole.size();
-             length += length < 1500 || length + 1500 > whole.size() ? 1 : 37) {
-            const auto read = readVdb(ByteView(whole).first(length));
-            ASSERT_FALSE(read) << length;
+        for (std::size_t length = 0; length < whole.size(); ++length) {
+            EXPECT_FALSE(readVdb(ByteView(whole).first(length))) << length;
         }
     }
 }
@@ -215,8 +217,7 @@ TEST(VdbDamage, EveryTruncationIsRefused) {
 TEST(VdbDamage, EveryFlippedByteEndsInAnErrorOrADocument) {
     for (const std::uint32_t packing : {kPackings[3], kPackings[4]}) {
         const Bytes whole = wholeFile(packing);
-        for (std::size_t at = 0; at < whole.size();
-             at += at < 1500 || at + 1500 > whole.size() ? 1 : 37) {
+        for (std::size_t at = 0; at < whole.size(); ++at) {
             for (const int mask : {0x01, 0x80, 0xFF}) {
                 Bytes flipped = whole;
                 flipped[at] = static_cast<std::uint8_t>(flipped[at] ^ mask);
