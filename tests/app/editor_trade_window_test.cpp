@@ -12,8 +12,8 @@ class TradeWindow : public EditorWindow {
     void awaitTrade(const std::string& what, const std::function<bool(const Json&)>& holds) {
         await(what, [&](const Json& now) { return holds(now.at("state").at("trade")); });
     }
-    // The keys are the views' again.
-    void overTheViews() { settleAt({300, 500}); }
+    // The keys are the views' again, and no tool shows what it would do.
+    void overTheViews() { settleAt({760, 787}); }
     [[nodiscard]] std::array<double, 4> rect(const std::string& item) const {
         return layout().at("items").at(item).get<std::array<double, 4>>();
     }

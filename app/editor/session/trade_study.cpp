@@ -64,8 +64,6 @@ void TradeStudy::follow(Session& session, std::span<const trade::Setting> also, 
     }
     also_.assign(also.begin(), also.end());
     job_.finish();
-    // A tool at work comes first.
-    if (session.previews()) changedAt_ = now;
     still_ = now - changedAt_ >= kStillSeconds;
     if (!still_ || cancelled_ || job_.running() || !problem_.empty()) return;
     if (!meter_) return start(session);
