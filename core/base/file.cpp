@@ -101,6 +101,13 @@ std::filesystem::path linkTarget(const std::filesystem::path& path) {
 
 }  // namespace
 
+std::optional<FileStamp> stampOf(const std::filesystem::path& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0) return std::nullopt;
+    return FileStamp{status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size),
+                     std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec};
+}
+
 Result<Bytes> readFile(const std::filesystem::path& path) {
     // Not blocking, so that opening a pipe nobody writes to returns (and is refused below).
     const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));

@@ -3,7 +3,9 @@
 // a device or a pipe (/dev/stdout) the bytes are simply written.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "core/base/bytes.h"
@@ -13,6 +15,15 @@ namespace voxprite {
 
 // Files larger than this are refused before anything is allocated.
 inline constexpr std::uint64_t kMaxFileBytes = std::uint64_t{4} << 30;
+
+// Tells two versions of a file apart: whoever writes to it or replaces it makes another one.
+struct FileStamp {
+    std::uint64_t device = 0, inode = 0, bytes = 0;
+    std::int64_t changedNanoseconds = 0;
+    bool operator==(const FileStamp&) const = default;
+};
+// None where there is no file.
+[[nodiscard]] std::optional<FileStamp> stampOf(const std::filesystem::path& path);
 
 [[nodiscard]] Result<Bytes> readFile(const std::filesystem::path& path);
 [[nodiscard]] Result<std::string> readTextFile(const std::filesystem::path& path);

@@ -13,6 +13,14 @@ namespace voxprite {
 [[nodiscard]] std::string sha256Hex(ByteView bytes);
 [[nodiscard]] std::uint32_t crc32(ByteView bytes);
 
+// Whether readers compare checksums. A fuzzer's do not: none of its mutations would come past one,
+// and everything behind it must withstand them just the same.
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
+inline constexpr bool kChecksumsCount = false;
+#else
+inline constexpr bool kChecksumsCount = true;
+#endif
+
 template <class T>
 [[nodiscard]] ByteView asBytes(const std::vector<T>& values) {
     return {reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(T)};

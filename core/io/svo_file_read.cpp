@@ -109,7 +109,7 @@ class SvoReader {
         if (sectionCount_ > (bytes_.size() - svo::kHeaderBytes) / svo::kSectionEntryBytes) {
             return failAtByte(12, "the section table is longer than the file");
         }
-        if (crc != svo::headerCrc(bytes_.first(tableEnd()))) {
+        if (kChecksumsCount && crc != svo::headerCrc(bytes_.first(tableEnd()))) {
             return failAtByte(svo::kHeaderCrcAt, "the header or section table is damaged");
         }
         return {};
@@ -140,7 +140,7 @@ class SvoReader {
                 return failAtByte(entry, "section " + name + " does not lie within the file");
             }
             end = part.offset + part.length;
-            if (crc != crc32(bytesOf(part))) {
+            if (kChecksumsCount && crc != crc32(bytesOf(part))) {
                 return failAtByte(part.offset, "section " + name + " is damaged");
             }
             const auto layout =

@@ -221,6 +221,27 @@ TEST(EditorSession, SavesNativelyAndKnowsWhatIsUnsaved) {
     EXPECT_EQ(again.document(), session.document());
 }
 
+TEST(EditorSession, NoticesWhatAnotherProgramDidToItsFile) {
+    const test::TemporaryFolder folder;
+    Session session;
+    EXPECT_FALSE(session.changedOutside());
+    open(session, twistedDocument(), folder);
+    EXPECT_FALSE(session.changedOutside());
+    const std::filesystem::path path = *session.path();
+    const Bytes bytes = readFile(path).value();
+
+    ASSERT_TRUE(writeFileAtomically(path, bytes));  // the same bytes in another file
+    EXPECT_TRUE(session.changedOutside());
+    ASSERT_TRUE(session.saveAs(path));
+    EXPECT_FALSE(session.changedOutside());
+    std::filesystem::remove(path);
+    EXPECT_TRUE(session.changedOutside());
+
+    ASSERT_TRUE(session.saveAs(path));
+    ASSERT_TRUE(session.open(path));
+    EXPECT_FALSE(session.changedOutside());
+}
+
 TEST(EditorSession, ExportsHoldTheEditAndDoNotCountAsSaved) {
     const test::TemporaryFolder folder;
     Session session;

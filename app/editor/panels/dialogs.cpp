@@ -6,19 +6,23 @@
 namespace voxprite::editor {
 std::string Dialogs::openName() const {
     if (unsaved_) return "unsaved";
+    if (!changed_.empty()) return "changed";
     if (!error_.empty()) return "error";
     return about_.empty() ? "" : "about";
 }
 
-UnsavedAnswer Dialogs::draw(Ui& ui) {
+Answers Dialogs::draw(Ui& ui) {
+    Answers answers;
     if (!error_.empty()) {
         drawError(ui);
     } else if (unsaved_) {
-        return drawUnsaved(ui);
+        answers.unsaved = drawUnsaved(ui);
+    } else if (!changed_.empty()) {
+        answers.changed = drawChanged(ui);
     } else if (!about_.empty()) {
         drawAbout(ui);
     }
-    return UnsavedAnswer::none;
+    return answers;
 }
 
 UnsavedAnswer Dialogs::drawUnsaved(Ui& ui) {
@@ -44,6 +48,37 @@ UnsavedAnswer Dialogs::drawUnsaved(Ui& ui) {
     ui.probe.markItem("unsaved.save");
     if (answer != UnsavedAnswer::none) {
         unsaved_ = false;
+        ImGui::CloseCurrentPopup();
+    }
+    endDialog();
+    return answer;
+}
+
+ChangedAnswer Dialogs::drawChanged(Ui& ui) {
+    if (!beginDialog(ui, "##changed", "Replace the file?", 460)) return ChangedAnswer::none;
+    const std::string text = changed_ +
+                             " was changed by another program since it was opened or saved here. "
+                             "What it wrote would be lost.";
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.textDim);
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::PopStyleColor();
+    const ImVec2 button = ui.theme.px(108, 30);
+    placeButtons(ui, button, 3);
+    ChangedAnswer answer = ChangedAnswer::none;
+    if (ImGui::Button("Replace it", button)) answer = ChangedAnswer::replace;
+    ui.probe.markItem("changed.replace");
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", button) || pressedKey(ImGuiKey_Escape)) {
+        answer = ChangedAnswer::cancel;
+    }
+    ui.probe.markItem("changed.cancel");
+    ImGui::SameLine();
+    if (primaryButton(ui, "Save as...", button) || pressedKey(ImGuiKey_Enter)) {
+        answer = ChangedAnswer::saveAs;
+    }
+    ui.probe.markItem("changed.saveAs");
+    if (answer != ChangedAnswer::none) {
+        changed_.clear();
         ImGui::CloseCurrentPopup();
     }
     endDialog();

@@ -1,4 +1,5 @@
-// The small dialogs: what to do with unsaved changes, an error that must be read, about.
+// The small dialogs: what to do with unsaved changes, or with a file that another program has
+// changed meanwhile, an error that must be read, about.
 #pragma once
 
 #include <string>
@@ -10,6 +11,14 @@ namespace voxprite::editor {
 
 enum class UnsavedAnswer : std::uint8_t { none, save, discard, cancel };
 
+enum class ChangedAnswer : std::uint8_t { none, replace, saveAs, cancel };
+
+// Of the frame in which a question was answered.
+struct Answers {
+    UnsavedAnswer unsaved = UnsavedAnswer::none;
+    ChangedAnswer changed = ChangedAnswer::none;
+};
+
 // "OpenGL", "4.5 (Core Profile) Mesa 22.3.6"
 struct AboutLine {
     std::string name;
@@ -19,19 +28,22 @@ struct AboutLine {
 class Dialogs {
   public:
     void askUnsaved() { unsaved_ = true; }
+    // The file that is to be saved, by its name.
+    void askChanged(std::string file) { changed_ = std::move(file); }
     void showError(std::string text) { error_ = std::move(text); }
     void showAbout(std::vector<AboutLine> lines) { about_ = std::move(lines); }
-    // "unsaved", "error", "about" or nothing.
+    // "unsaved", "changed", "error", "about" or nothing.
     [[nodiscard]] std::string openName() const;
-    // Draws what is open; the answer of the frame in which the question was answered.
-    [[nodiscard]] UnsavedAnswer draw(Ui& ui);
+    [[nodiscard]] Answers draw(Ui& ui);  // what is open
 
   private:
     [[nodiscard]] UnsavedAnswer drawUnsaved(Ui& ui);
+    [[nodiscard]] ChangedAnswer drawChanged(Ui& ui);
     void drawError(Ui& ui);
     void drawAbout(Ui& ui);
 
     bool unsaved_ = false;
+    std::string changed_;
     std::string error_;
     std::vector<AboutLine> about_;
 };

@@ -27,8 +27,12 @@ void FileFlow::open(const std::filesystem::path& file) {
 }
 
 void FileFlow::save() {
-    if (!context_.session.hasNativePath()) return saveAs();
-    saveTo(*context_.session.path());
+    const Session& session = context_.session;
+    if (!session.hasNativePath()) return saveAs();
+    if (session.changedOutside()) {
+        return context_.dialogs.askChanged(session.path()->filename().string());
+    }
+    saveTo(*session.path());
 }
 
 void FileFlow::saveAs() {
@@ -100,8 +104,9 @@ void FileFlow::browse(FileBrowser::Request request, Chosen chosen) {
 }
 
 void FileFlow::draw(Ui& ui) {
-    const UnsavedAnswer answer = context_.dialogs.draw(ui);
-    if (answer != UnsavedAnswer::none) afterUnsavedQuestion(answer);
+    const Answers answers = context_.dialogs.draw(ui);
+    if (answers.unsaved != UnsavedAnswer::none) afterUnsavedQuestion(answers.unsaved);
+    if (answers.changed != ChangedAnswer::none) afterChangedQuestion(answers.changed);
     if (const auto path = browser_.draw(ui)) {
         context_.settings.window.folder = path->parent_path();
         // What was chosen may ask for another file.
@@ -234,6 +239,18 @@ void FileFlow::afterUnsavedQuestion(UnsavedAnswer answer) {
             return goOn();
         case UnsavedAnswer::cancel:
         case UnsavedAnswer::none:
+            waiting_ = Waiting::none;
+    }
+}
+
+void FileFlow::afterChangedQuestion(ChangedAnswer answer) {
+    switch (answer) {
+        case ChangedAnswer::replace:
+            return saveTo(*context_.session.path());
+        case ChangedAnswer::saveAs:
+            return saveAs();
+        case ChangedAnswer::cancel:
+        case ChangedAnswer::none:
             waiting_ = Waiting::none;
     }
 }

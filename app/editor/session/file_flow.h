@@ -73,6 +73,7 @@ class FileFlow {
     enum class Waiting : std::uint8_t { none, startNew, openDialog, openFile, quit };
     void unlessUnsaved(Waiting what);
     void afterUnsavedQuestion(UnsavedAnswer answer);
+    void afterChangedQuestion(ChangedAnswer answer);
     void goOn();
     void openNow(const std::filesystem::path& path);
     void saveTo(const std::filesystem::path& path);

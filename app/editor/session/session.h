@@ -18,6 +18,7 @@
 
 #include "app/editor/session/selection.h"
 #include "app/editor/session/shown_octree.h"
+#include "core/base/file.h"
 #include "core/edit/clip.h"
 #include "core/edit/history.h"
 #include "core/io/formats.h"
@@ -161,6 +162,7 @@ class Session {
         std::filesystem::path path;
         LoadedDocument loaded;
         Derived derived;
+        std::optional<FileStamp> stamp;  // of the file as it was read
     };
     [[nodiscard]] static Result<Opened> read(const std::filesystem::path& path,
                                              JobProgress* progress = nullptr);
@@ -191,6 +193,8 @@ class Session {
     }
     // Can be saved under its own name without asking for another.
     [[nodiscard]] bool hasNativePath() const;
+    // Does its file hold, by now, what another program wrote (or is it gone)?
+    [[nodiscard]] bool changedOutside() const;
     [[nodiscard]] std::string title() const;  // "hut", or "Untitled"
     [[nodiscard]] bool unsaved() const { return !history_.isSaved(); }
     [[nodiscard]] bool profileUnsaved() const { return savedProfile_ != workspace_.profile; }
@@ -238,6 +242,7 @@ class Session {
     std::vector<std::vector<Placement>> placesOfModel_;
 
     std::optional<std::filesystem::path> path_;
+    std::optional<FileStamp> stamp_;  // of the file there when it was last read or written here
     std::optional<std::filesystem::path> profilePath_;
     GameProfile savedProfile_;
     std::vector<std::string> warnings_;

@@ -35,18 +35,20 @@ Status Session::startNew() {
 Result<Session::Opened> Session::read(const std::filesystem::path& path, JobProgress* progress) {
     // Reading takes about as long as building does, whatever the format.
     if (progress != nullptr) progress->enter("Reading the file", 0.05);
+    const std::optional<FileStamp> stamp = stampOf(path);
     Result<LoadedDocument> loaded = loadDocument(path);
     if (!loaded) return Failure(loaded.error());
     if (progress != nullptr) progress->enter("Building the octree", 0.5);
     Result<Derived> derived = derive(loaded->document, 0);
     if (!derived) return inFile(Result<Opened>(Failure(derived.error())), path.string());
-    return Opened{path, std::move(*loaded), std::move(*derived)};
+    return Opened{path, std::move(*loaded), std::move(*derived), stamp};
 }
 
 void Session::adopt(Opened opened) {
     const AuthoredValues authored = opened.loaded.document.authored;
     adopt(std::move(opened.loaded.document), std::move(opened.derived));
     path_ = std::move(opened.path);
+    stamp_ = opened.stamp;
     warnings_ = std::move(opened.loaded.warnings);
     // A game's profile wins over what the file was made with; the built-in one stands for no game.
     const Format format = opened.loaded.format;
@@ -71,6 +73,7 @@ Status Session::recover(const std::filesystem::path& document, const GameProfile
     adopt(std::move(*opened));
     workspace_.profile = profile;
     path_ = file;
+    stamp_ = file ? stampOf(*file) : std::nullopt;
     history_.markUnsaved();
     return {};
 }
@@ -97,6 +100,7 @@ void Session::endSaving(const Saving& saving, bool saved) {
         return;
     }
     path_ = saving.path;
+    stamp_ = stampOf(saving.path);
     if (!profilePath_) savedProfile_ = saving.profile;
 }
 
@@ -133,6 +137,10 @@ bool Session::hasNativePath() const {
     if (!path_) return false;
     const Result<Format> format = formatOf(*path_);
     return format && *format == Format::voxprite;
+}
+
+bool Session::changedOutside() const {
+    return path_ && stamp_ && stampOf(*path_) != stamp_;
 }
 
 std::string Session::title() const {

@@ -126,6 +126,8 @@ Result<Window> Window::open(const std::string& title, const WindowPlace& place,
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "voxprite");  // as app/desktop/voxprite.desktop says
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "voxprite");
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     const WindowPlace fitted = placeOn(workAreas(), place, contentScale.value_or(displayScale()));
