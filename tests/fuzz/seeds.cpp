@@ -12,7 +12,10 @@
 #include "core/io/profile_json.h"
 #include "core/io/project_file.h"
 #include "core/io/project_json.h"
+#include "core/io/qb.h"
+#include "core/io/slices.h"
 #include "core/io/svo_file.h"
+#include "core/io/vdb.h"
 #include "core/io/vox.h"
 #include "core/io/voxel_payload.h"
 #include "tests/support/voxels.h"
@@ -53,6 +56,10 @@ void addDocument(Seeds& seeds, const std::string& name, const Document& document
     seeds.add("vox", name, writeVox(document));
     seeds.add("csm", name, writeCsm(document));
     seeds.add("project", name, writeProject(document));
+    seeds.add("qb", name, writeQb(document));
+    seeds.add("vdb", name, writeVdb(document, document.authored));
+    const Result<std::vector<SlicePicture>> strip = writeSlices(document, "strip.png");
+    if (strip) seeds.add("slices", name, ByteView(strip->front().png));
     seeds.add("project_json", name, writeProjectJson(document, document.authored, {}));
     const Result<SvoFile> octrees = bakeForExport(document, GameProfile{});
     if (octrees) seeds.add("svo", name, writeSvo(*octrees));
