@@ -85,10 +85,6 @@ VoxelBlock blockFromLeaf(const Leaf& leaf) {
     return {vector(leaf.origin()), kLeafEdge, 0, leaf.buffer().data()};
 }
 
-IBox boxOf(const VoxelBlock& block) {
-    return {block.origin, block.origin + block.edgeVoxels};
-}
-
 // Of the solid voxels of a leaf that has some: word x of its mask has the bit (y << 3 | z).
 IBox boundsOf(const Leaf& leaf) {
     glm::ivec3 low(kLeafEdge), high(0);
@@ -303,20 +299,39 @@ std::size_t VoxelGrid::bytes() const {
 }
 
 IBox VoxelGrid::bounds() const {
-    IBox coarse;
-    visitTree(
-        impl_->tree(), [&](const VoxelBlock& tile) { coarse = coarse.united(boxOf(tile)); },
-        [&](const Leaf& leaf) { coarse = coarse.united(boxOf(blockFromLeaf(leaf))); });
+    using Upper = Tree::RootNodeType::ChildNodeType;
+    using Lower = Upper::ChildNodeType;
+    openvdb::CoordBBox leaves;  // in whole leaves: what is inside what was seen is passed over
+    impl_->tree().root().evalActiveBoundingBox(leaves, false);
+    if (leaves.empty()) return {};
+    const IBox coarse{vector(leaves.min()), vector(leaves.max()) + 1};
     // On each side the voxels of the outermost leaves decide: only these are looked into.
     IBox box;
-    visitTree(
-        impl_->tree(), [&](const VoxelBlock& tile) { box = box.united(boxOf(tile)); },
-        [&](const Leaf& leaf) {
-            const IBox whole = boxOf(blockFromLeaf(leaf));
-            const bool outermost = glm::any(glm::equal(whole.min, coarse.min)) ||
-                                   glm::any(glm::equal(whole.max, coarse.max));
-            if (outermost) box = box.united(boundsOf(leaf));
-        });
+    const auto isOutermost = [&](const IBox& part) {
+        return glm::any(glm::lessThanEqual(part.min, coarse.min)) ||
+               glm::any(glm::greaterThanEqual(part.max, coarse.max));
+    };
+    const auto addTiles = [&](auto tile, int edge) {
+        for (; tile; ++tile) {
+            const glm::ivec3 origin = vector(tile.getCoord());
+            box = box.united({origin, origin + edge});
+        }
+    };
+    const auto& root = impl_->tree().root();
+    addTiles(root.cbeginValueOn(), static_cast<int>(Upper::DIM));
+    for (auto upper = root.cbeginChildOn(); upper; ++upper) {
+        addTiles(upper->cbeginValueOn(), static_cast<int>(Lower::DIM));
+        for (auto lower = upper->cbeginChildOn(); lower; ++lower) {
+            const glm::ivec3 corner = vector(lower.getCoord());
+            if (!isOutermost({corner, corner + static_cast<int>(Lower::DIM)})) continue;
+            addTiles(lower->cbeginValueOn(), kLeafEdge);
+            for (auto leaf = lower->cbeginChildOn(); leaf; ++leaf) {
+                const glm::ivec3 origin = vector(leaf.getCoord());
+                if (isOutermost({origin, origin + kLeafEdge}) && !leaf->isEmpty())
+                    box = box.united(boundsOf(*leaf));
+            }
+        }
+    }
     return box;
 }
 
