@@ -37,8 +37,8 @@ std::string countText(double count) {
 
 std::string figureText(const trade::Point* point, trade::Yardstick yardstick) {
     if (point == nullptr) return "not measured yet";
-    return percentText(point->error(yardstick)) + " off    " +
-           millisecondsText(point->milliseconds()) + "    " + countText(point->rays()) + " rays";
+    return percentText(point->error(yardstick)) + " off  " +
+           millisecondsText(point->milliseconds()) + "  " + countText(point->rays()) + " rays";
 }
 
 }  // namespace voxprite::editor

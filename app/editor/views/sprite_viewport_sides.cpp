@@ -25,10 +25,14 @@ void drawLabel(Ui& ui, const ViewCanvas& canvas, bool isB, bool onRight, float r
         isB ? *ui.settings.trade.b
             : settingInForce(ui.session.profile(), ui.settings.scene.representations);
     const std::string title = titleOf(setting, study.reference());
-    const std::string figures = figureText(study.find(setting), ui.settings.trade.yardstick);
+    std::string figures = figureText(study.find(setting), ui.settings.trade.yardstick);
     ImFont *text = theme.fonts.text, *small = theme.fonts.small, *bold = theme.fonts.bold;
     const float pad = theme.px(10), badge = theme.px(22);
     const float most = room - 3 * pad - badge - theme.px(18);
+    // In a narrow view the error has a line of its own, and what it costs the next.
+    const float wide = small->CalcTextSizeA(small->FontSize, FLT_MAX, 0.0f, figures.c_str()).x;
+    const std::size_t gap = figures.find("  ");
+    if (wide > most && gap != std::string::npos) figures.replace(gap, 2, "\n");
     const auto sizeOf = [&](ImFont* font, const std::string& line) {
         return font->CalcTextSizeA(font->FontSize, FLT_MAX, most, line.c_str());
     };
@@ -42,10 +46,11 @@ void drawLabel(Ui& ui, const ViewCanvas& canvas, bool isB, bool onRight, float r
     const ImVec2 middle(at.x + pad + badge * 0.5f, at.y + size.y * 0.5f);
     draw.AddCircleFilled(middle, badge * 0.5f, isB ? kSideB : theme.accent);
     const char* letter = isB ? "B" : "A";
-    const ImVec2 wide = bold->CalcTextSizeA(bold->FontSize, FLT_MAX, 0.0f, letter);
-    draw.AddText(bold, bold->FontSize,
-                 {std::round(middle.x - wide.x * 0.5f), std::round(middle.y - wide.y * 0.5f)},
-                 IM_COL32(16, 17, 19, 255), letter);
+    const ImVec2 letterSize = bold->CalcTextSizeA(bold->FontSize, FLT_MAX, 0.0f, letter);
+    draw.AddText(
+        bold, bold->FontSize,
+        {std::round(middle.x - letterSize.x * 0.5f), std::round(middle.y - letterSize.y * 0.5f)},
+        IM_COL32(16, 17, 19, 255), letter);
     const float x = at.x + 2 * pad + badge;
     const float y = at.y + std::round((size.y - titleSize.y - figuresSize.y - theme.px(2)) * 0.5f);
     draw.AddText(text, text->FontSize, {x, y}, kText, title.c_str(), nullptr, most);
