@@ -73,7 +73,7 @@ TEST_F(Cli, WrongUsageIsStatus2) {
     expectWrongUsage({"inspect"}, "FILE");
     expectWrongUsage({"inspect", figureFile, "--colour"}, "--colour");
     expectWrongUsage({"convert", figureFile}, "--output");
-    expectWrongUsage({"convert", figureFile, "-o", file("a.obj")}, ".obj");
+    expectWrongUsage({"convert", figureFile, "-o", file("a.fbx")}, ".fbx");
     expectWrongUsage({"export", figureFile, "-o", file("a.vox")}, ".svo");
     expectWrongUsage({"compare", "a.png"}, "B");
     expectWrongUsage({"bench", "--only", "cast,soup"}, "soup");
@@ -100,7 +100,7 @@ TEST_F(Cli, FailuresNameFilePlaceAndReason) {
     const std::string noVox = written("broken.vox", "VOX \xC8");
     const std::string noZip = written("broken.voxprite", "something else");
     const std::string noSvo = written("broken.svo", "something else");
-    const std::string unknown = written("model.obj", "v 0 0 0");
+    const std::string unknown = written("model.fbx", "v 0 0 0");
     for (const std::string& path : {missing, noVox, noZip, noSvo, unknown}) {
         const std::string name = std::filesystem::path(path).filename().string();
         expectFailure({"inspect", path}, name, ":");
