@@ -193,7 +193,7 @@ class Session {
     }
     // Can be saved under its own name without asking for another.
     [[nodiscard]] bool hasNativePath() const;
-    // Does its file hold, by now, what another program wrote (or is it gone)?
+    // Does its file hold, by now, what another program wrote? (One that is gone holds nothing.)
     [[nodiscard]] bool changedOutside() const;
     [[nodiscard]] std::string title() const;  // "hut", or "Untitled"
     [[nodiscard]] bool unsaved() const { return !history_.isSaved(); }

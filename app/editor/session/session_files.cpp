@@ -140,7 +140,9 @@ bool Session::hasNativePath() const {
 }
 
 bool Session::changedOutside() const {
-    return path_ && stamp_ && stampOf(*path_) != stamp_;
+    if (!path_ || !stamp_) return false;
+    const std::optional<FileStamp> now = stampOf(*path_);
+    return now && *now != *stamp_;
 }
 
 std::string Session::title() const {

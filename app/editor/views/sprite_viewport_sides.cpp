@@ -32,7 +32,10 @@ void drawLabel(Ui& ui, const ViewCanvas& canvas, bool isB, bool onRight, float r
     // In a narrow view the error has a line of its own, and what it costs the next.
     const float wide = small->CalcTextSizeA(small->FontSize, FLT_MAX, 0.0f, figures.c_str()).x;
     const std::size_t gap = figures.find("  ");
-    if (wide > most && gap != std::string::npos) figures.replace(gap, 2, "\n");
+    if (wide > most && gap != std::string::npos) {
+        figures[gap] = '\n';
+        figures.erase(gap + 1, 1);
+    }
     const auto sizeOf = [&](ImFont* font, const std::string& line) {
         return font->CalcTextSizeA(font->FontSize, FLT_MAX, most, line.c_str());
     };
