@@ -3,7 +3,6 @@
 #include <set>
 #include <sstream>
 
-#include "core/base/file.h"
 #include "core/io/formats.h"
 #include "core/io/png.h"
 #include "core/model/entity_voxels.h"
@@ -166,34 +165,6 @@ TEST_F(EditorInAWindow, AsksBeforeLosingChangesAndSaves) {
     ASSERT_NO_FATAL_FAILURE(awaitDialog("unsaved"));
     click(centreOf("unsaved.discard"));
     EXPECT_EQ(editor().wait(), 0) << said();
-}
-
-TEST_F(EditorInAWindow, AsksBeforeReplacingWhatAnotherProgramWrote) {
-    ASSERT_NO_FATAL_FAILURE(openBox());
-    key("ctrl+s");
-    const std::filesystem::path path = file("box.voxprite");
-    if (!std::filesystem::exists(path)) {
-        ASSERT_NO_FATAL_FAILURE(awaitDialog("browser"));
-        static_cast<void>(centreOf("browser.name"));
-        key("ctrl+a");
-        type(path.string());
-        click(centreOf("browser.accept"));
-        ASSERT_NO_FATAL_FAILURE(awaitDialog(""));
-    }
-    await("the file", [&](const Json&) { return std::filesystem::exists(path); });
-    const std::string other = "another program's";
-    ASSERT_TRUE(writeFileAtomically(path, other));
-
-    key("ctrl+s");
-    ASSERT_NO_FATAL_FAILURE(awaitDialog("changed"));
-    key("Escape");
-    ASSERT_NO_FATAL_FAILURE(awaitDialog(""));
-    EXPECT_EQ(readTextFile(path).value(), other);
-
-    key("ctrl+s");
-    ASSERT_NO_FATAL_FAILURE(awaitDialog("changed"));
-    click(centreOf("changed.replace"));
-    await("the file is ours again", [&](const Json&) { return loadDocument(path).has_value(); });
 }
 
 TEST_F(EditorInAWindow, ReplaysWhatWasRecorded) {
