@@ -35,6 +35,9 @@ Status validate(const Plan& plan) {
     if (plan.views < 1 || plan.frames < 2 || !(plan.degreesAFrame > 0.0) || plan.leastRepeats < 1 ||
         plan.idealSamples < 1 || !(plan.flipPixelsPerDegree > 0.0))
         return fail("a plan needs views, frames, turns, repeats, samples and pixels a degree");
+    const std::size_t recorded = plan.recordedWay.size();
+    if (recorded == 1 || recorded > kMostWayFrames)
+        return fail("a recorded way has 2 ... 10000 frames");
     return {};
 }
 
@@ -113,6 +116,8 @@ Setting Meter::Impl::wanted() const {
 
 std::vector<Camera> Meter::Impl::way(double sizePx, int section) const {
     std::vector<Camera> cameras;
+    for (const OrbitAngles& each : plan.recordedWay) cameras.push_back(camera(each, sizePx));
+    if (!cameras.empty()) return cameras;
     for (int k = 0; k < plan.frames; ++k) {
         const double turned = (section * plan.frames + k) * plan.degreesAFrame;
         // To and fro, without a corner.
@@ -228,8 +233,9 @@ Status Meter::Impl::measureWay(Drawer& drawer, const Setting& setting, AtSize& o
                 figures.aDegree(figures.crawl)};
     if (!plan.costs) return {};
     Costs costs;
-    costs.rays = static_cast<double>(drawer.counts().rays) / plan.frames;
-    costs.casts = static_cast<double>(drawer.counts().casts) / plan.frames;
+    const auto frames = static_cast<double>(cameras.size());
+    costs.rays = static_cast<double>(drawer.counts().rays) / frames;
+    costs.casts = static_cast<double>(drawer.counts().casts) / frames;
     costs.bytes = drawer.bytes();
     costs.prepareMilliseconds = drawer.prepareMilliseconds();
     if (setting.drawnBy == Representation::clusters) {

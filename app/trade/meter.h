@@ -29,6 +29,8 @@ namespace voxprite::trade {
 
 class GlStage;
 
+inline constexpr std::size_t kMostWayFrames = 10000;
+
 // What is measured. The octree as bake() gives it (its origin in entity space).
 struct Model {
     std::string name;
@@ -45,6 +47,9 @@ struct Plan {
     // The camera's way, for costs and errors over time: so many frames, each turned by so much.
     int frames = 16;
     double degreesAFrame = 0.75;
+    // Recorded elsewhere, a frame each (2 ... kMostWayFrames): instead of the two above. Repeats go
+    // along it again, having forgotten what they cast.
+    std::vector<OrbitAngles> recordedWay;
     // Errors alone, and the same every time, without.
     bool costs = true;
     int leastRepeats = 3;

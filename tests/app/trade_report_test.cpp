@@ -6,6 +6,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <thread>
 
@@ -107,6 +108,42 @@ TEST_F(TradeReport, IsTheSameAgainButForTimesAndAnotherWithAnotherSeed) {
     const nlohmann::json first = withoutTimes(reportIn(file("first")));
     EXPECT_EQ(withoutTimes(reportIn(file("again"))), first);
     EXPECT_NE(withoutTimes(reportIn(file("other"))), first);
+}
+
+// A turn and back again: what comes and goes is counted along the way that was recorded, and a
+// still camera casts once.
+TEST_F(TradeReport, GoesAlongARecordedWay) {
+    const auto wayFile = [&](const char* name, const std::vector<double>& yaws) {
+        nlohmann::json frames = nlohmann::json::array();
+        for (const double yaw : yaws) frames.push_back({{"yaw", yaw}, {"pitch", 20}});
+        const std::string path = file(name);
+        std::ofstream(path) << nlohmann::json{{"voxprite_way", 1}, {"frames", frames}};
+        return path;
+    };
+    const auto gameAlong = [&](const std::string& folder, const std::string& way) {
+        EXPECT_EQ(run(command(file(folder), {"--way", way})).status, 0);
+        const nlohmann::json model = reportIn(file(folder)).at("models").at(0);
+        EXPECT_EQ(model.at("plan").at("recorded_frames"), 4);
+        return model.at("points").at(0).at("sizes").at(0);
+    };
+    const nlohmann::json still = gameAlong("still", wayFile("still.json", {40, 40, 40, 40}));
+    EXPECT_EQ(still.at("time").at("changed_a_degree"), 0.0);
+    EXPECT_EQ(still.at("costs").at("casts"), 0.25);
+    const nlohmann::json swing = gameAlong("swing", wayFile("swing.json", {40, 60, 40, 60}));
+    EXPECT_GT(swing.at("time").at("changed_a_degree"), 0.0);
+    // Every pixel that changed in the last two turns changed back.
+    EXPECT_GT(swing.at("time").at("flips_a_degree"), 0.0);
+    EXPECT_EQ(swing.at("costs").at("casts"), 0.5);
+
+    for (const char* wrong : {"[]", R"({"voxprite_way": 1, "frames": [{"yaw": 1, "pitch": 2}]})",
+                              R"({"voxprite_way": 2, "frames": []})",
+                              R"({"voxprite_way": 1, "frames": [{"yaw": 1, "pitch": 91}, 0]})"}) {
+        std::ofstream(file("wrong.json")) << wrong;
+        const ProgramResult refused = run(command(file("none"), {"--way", file("wrong.json")}));
+        EXPECT_EQ(refused.status, 1) << wrong;
+        EXPECT_NE(refused.err.find("wrong.json"), std::string::npos) << refused.err;
+    }
+    EXPECT_FALSE(std::filesystem::exists(file("none")));
 }
 
 TEST_F(TradeReport, BudgetsChooseAndWriteAProfile) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/cli/text_table.h"
+#include "app/cli/trade/camera_way.h"
 #include "app/cli/trade/run.h"
 #include "core/io/profile_json.h"
 
@@ -116,6 +117,10 @@ void addReportOptions(CLI::App& sub, ReportOptions& options) {
     group.add_option("--profile", options.profile, "The game's own (else the file's values)")
         ->type_name("FILE");
     group
+        .add_option("--way", options.way,
+                    "A camera's recorded way, for times and restlessness (else one made up)")
+        ->type_name("FILE");
+    group
         .add_option("--backend", options.backend, "What is timed: gl where there is OpenGL, or cpu")
         ->check(CLI::IsMember({"auto", "cpu", "gl"}));
     group.add_flag("--costs", options.costs,
@@ -153,6 +158,11 @@ Result<cli::Report> reportTrade(const ReportOptions& options) {
     RunOptions run;
     run.files = options.files;
     run.profile = options.profile;
+    if (options.way) {
+        Result<std::vector<OrbitAngles>> way = readCameraWay(*options.way);
+        if (!way) return Failure(way.error());
+        run.recordedWay = std::move(*way);
+    }
     run.axes = axesOf(options.axes);
     run.quick = options.quick;
     run.growth = options.costs;

@@ -14,6 +14,7 @@ struct ReportOptions {
     std::vector<std::string> files;
     std::vector<std::string> axes;  // by nameOf(Axis); empty: all
     std::optional<std::string> profile;
+    std::optional<std::string> way;  // a file, camera_way.h
     bool quick = false;
     bool costs = false;  // those that grow
     bool markdown = false;

@@ -67,7 +67,8 @@ struct TradeReport {
 //   {"schema": "voxprite-trade", "version": 1, "finished": bool,
 //    "program": {"version", "commit"}, "machine": {"cpu", "cores", "simd", "gl"}, "backend",
 //    "models": [{"name", "file", "size", "voxels", "octree_bytes", "settings", "profile": {...},
-//       "plan": {"seed", "views", "sizes_px", "frames", "degrees_a_frame", "flip_pixels_a_degree"},
+//       "plan": {"seed", "views", "sizes_px", "frames", "degrees_a_frame",
+//          "recorded_frames", "flip_pixels_a_degree"},          0: no way was given
 //       "points": [{"series": "game" or "light", "axis", "name", "setting": {...},
 //          "flip": {"sprite", "perspective"}, "ms", "rays",        means over the sizes
 //          "front": {"sprite", "perspective"},                     on the Pareto front?

@@ -243,9 +243,12 @@ std::string headOf(const TradeReport& report) {
                       escaped(text("simd")) + " · OpenGL: " + escaped(text("gl")) + "</p>\n";
     if (!report.models.empty()) {
         const Plan& plan = report.models.front().plan;
+        const bool recorded = !plan.recordedWay.empty();
         out += "<p class=\"dim\">Each setting is looked at from " + std::to_string(plan.views) +
-               " seeded views (seed " + std::to_string(plan.seed) +
-               ") and timed over a camera's way of " + std::to_string(plan.frames) +
+               " seeded views (seed " + std::to_string(plan.seed) + ") and timed over a camera's " +
+               (recorded ? "recorded way of " : "way of ") +
+               std::to_string(recorded ? plan.recordedWay.size()
+                                       : static_cast<std::size_t>(plan.frames)) +
                " frames, warm and repeated; what was cast stays. Errors are FLIP at " +
                cli::textOf(plan.flipPixelsPerDegree) +
                " pixels a degree over what the model covers. Errors, rays and MiB are the same on "

@@ -112,6 +112,7 @@ Json jsonOf(const ModelReport& model) {
               {"sizes_px", model.plan.sizesPx},
               {"frames", model.plan.frames},
               {"degrees_a_frame", model.plan.degreesAFrame},
+              {"recorded_frames", model.plan.recordedWay.size()},
               {"flip_pixels_a_degree", model.plan.flipPixelsPerDegree}}},
             {"points", std::move(points)}};
 }

@@ -167,6 +167,7 @@ Plan planOf(const RunOptions& options, const std::shared_ptr<const Model>& model
     plan.sizesPx = sizesOf(model, profile, options.quick);
     plan.seed = options.seed;
     plan.threads = 0;
+    plan.recordedWay = options.recordedWay;
     if (!options.quick) return plan;
     plan.views = 2;
     plan.frames = 6;

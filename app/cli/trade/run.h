@@ -13,6 +13,7 @@ struct RunOptions {
     std::vector<std::string> files;
     std::optional<std::string> profile;  // else what each file was authored with
     std::vector<Axis> axes = allAxes();
+    std::vector<OrbitAngles> recordedWay;  // of the camera; empty: one of the meter's own
     bool quick = false;
     bool growth = false;
     bool gl = true;  // where there is OpenGL; else the processor
