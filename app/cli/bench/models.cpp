@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <random>
 #include <system_error>
 
@@ -60,13 +61,15 @@ Result<BenchModel> made(const std::string& name, VoxelGrid voxels) {
     return BenchModel{name, {}, {}, std::move(voxels), std::move(*octree)};
 }
 
-// Models below `folder`, by path; named by their path from it, after `prefix`.
-std::vector<std::pair<std::string, fs::path>> filesBelow(const fs::path& folder,
+// Models in `folder` and `depth` levels of folders below it, by path; named by their path from it,
+// after `prefix`.
+std::vector<std::pair<std::string, fs::path>> filesBelow(const fs::path& folder, int depth,
                                                          const std::string& prefix) {
     std::vector<std::pair<std::string, fs::path>> files;
     std::error_code error;
     for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end;
          it.increment(error)) {
+        if (it.depth() >= depth) it.disable_recursion_pending();
         const Result<Format> format = formatOf(it->path());
         // Folders hold pictures of other kinds, too.
         if (!it->is_regular_file() || !format || *format == Format::png) continue;
@@ -126,9 +129,9 @@ Result<std::vector<BenchModel>> benchModels(bool quick, const std::filesystem::p
     if (status) status = addMade("random" + std::to_string(random), scattered(random));
     if (!status) return Failure(status.error());
 
-    const auto addFiles = [&](const fs::path& folder, const std::string& prefix) {
+    const auto addFiles = [&](const fs::path& folder, int depth, const std::string& prefix) {
         std::size_t added = 0;
-        for (const auto& [name, path] : filesBelow(folder, prefix)) {
+        for (const auto& [name, path] : filesBelow(folder, depth, prefix)) {
             if (quick && added == kQuickFiles) break;
             if (std::optional<BenchModel> model = loaded(name, path)) {
                 models.push_back(std::move(*model));
@@ -136,12 +139,14 @@ Result<std::vector<BenchModel>> benchModels(bool quick, const std::filesystem::p
             }
         }
     };
-    if (const fs::path samples = samplesFolder(); !samples.empty()) addFiles(samples, "samples/");
+    // What lies in folders below the samples is for other programs' readers.
+    if (const fs::path samples = samplesFolder(); !samples.empty())
+        addFiles(samples, 0, "samples/");
     if (!corpus.empty()) {
         if (!fs::is_directory(corpus)) {
             return failInFile(corpus.string(), "the corpus is not a folder");
         }
-        addFiles(corpus, "");
+        addFiles(corpus, std::numeric_limits<int>::max(), "");
     }
     return models;
 }
