@@ -1,6 +1,7 @@
 #include "core/edit/cube_bits.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace voxprite {
@@ -22,17 +23,24 @@ std::uint64_t gathered(std::uint64_t bytes) {
     return (bytes * 0x0102'0408'1020'4080u) >> 56;
 }
 
+// Eight voxels along z as one number, the first in its lowest byte.
+std::uint64_t rowOf(const std::uint8_t* voxels) {
+    std::uint64_t row = 0;
+    if constexpr (std::endian::native == std::endian::little) {
+        std::memcpy(&row, voxels, sizeof(row));
+    } else {
+        for (int z = 0; z < 8; ++z) row |= std::uint64_t{voxels[z]} << (8 * z);
+    }
+    return row;
+}
+
 // `rowBits(eight voxels as one number)` for every row of a leaf.
 template <class RowBits>
 CubeBits bitsFromRows(const std::uint8_t* voxels, const RowBits& rowBits) {
     CubeBits bits{};
     for (std::size_t x = 0; x < 8; ++x) {
         for (std::size_t y = 0; y < 8; ++y) {
-            std::uint64_t row = 0;
-            for (std::size_t z = 0; z < 8; ++z) {
-                row |= std::uint64_t{voxels[(x << 6) | (y << 3) | z]} << (8 * z);
-            }
-            bits[x] |= rowBits(row) << (8 * y);
+            bits[x] |= rowBits(rowOf(voxels + ((x << 6) | (y << 3)))) << (8 * y);
         }
     }
     return bits;

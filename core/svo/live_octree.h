@@ -48,7 +48,7 @@ class LiveOctree {
 
     // What changed since the last call; the caller uploads it.
     [[nodiscard]] OctreeChanges takeChanges() { return pool_.takeChanges(); }
-    // Bytes held: nodes, payloads, free lists.
+    // Bytes in use: nodes, payloads, free lists.
     [[nodiscard]] std::size_t bytes() const { return pool_.bytes(); }
 
   private:

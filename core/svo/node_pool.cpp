@@ -4,6 +4,22 @@
 #include <utility>
 
 namespace voxprite {
+namespace {
+
+template <class T>
+void keepRoom(std::vector<T>& values) {
+    values.reserve(values.size() + values.size() / 2);
+}
+
+template <class T>
+std::vector<T> roomyCopy(const std::vector<T>& values) {
+    std::vector<T> copy;
+    copy.reserve(values.size() + values.size() / 2);
+    copy.insert(copy.end(), values.begin(), values.end());
+    return copy;
+}
+
+}  // namespace
 
 void DirtyRanges::add(std::uint32_t first, std::uint32_t count) {
     if (!ranges_.empty()) {
@@ -50,9 +66,25 @@ void DirtyRanges::merge() {
     ranges_.resize(kept);
 }
 
+NodePool::NodePool(const NodePool& other)
+    : nodes_(roomyCopy(other.nodes_)),
+      payloads_(roomyCopy(other.payloads_)),
+      freeBlocks_(other.freeBlocks_),
+      freePayloads_(other.freePayloads_),
+      dirtyNodes_(other.dirtyNodes_),
+      dirtyPayloads_(other.dirtyPayloads_),
+      replaced_(other.replaced_) {}
+
+NodePool& NodePool::operator=(const NodePool& other) {
+    if (this != &other) *this = NodePool(other);
+    return *this;
+}
+
 void NodePool::replace(std::vector<std::uint32_t> nodes, std::vector<std::uint64_t> payloads) {
     nodes_ = std::move(nodes);
     payloads_ = std::move(payloads);
+    keepRoom(nodes_);
+    keepRoom(payloads_);
     for (auto& blocks : freeBlocks_) blocks.clear();
     freePayloads_.clear();
     dirtyNodes_.clear();
@@ -119,8 +151,8 @@ OctreeChanges NodePool::takeChanges() {
 }
 
 std::size_t NodePool::bytes() const {
-    std::size_t total = nodes_.capacity() * sizeof(nodes_[0]) +
-                        payloads_.capacity() * sizeof(payloads_[0]) +
+    std::size_t total = nodes_.size() * sizeof(nodes_[0]) +
+                        payloads_.size() * sizeof(payloads_[0]) +
                         freePayloads_.capacity() * sizeof(freePayloads_[0]) + dirtyNodes_.bytes() +
                         dirtyPayloads_.bytes();
     for (const auto& blocks : freeBlocks_) total += blocks.capacity() * sizeof(std::uint32_t);

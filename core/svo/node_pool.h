@@ -1,5 +1,10 @@
 // The arrays of a live octree: blocks of sibling nodes and single payloads come and go, what is
 // free is used again, and every write is remembered for whoever keeps a copy (the GPU).
+//
+// Arrays that are taken over, and copies of a pool, keep room for half as much again: an array that
+// has to move while it grows takes as long as all of it is large (26 MB for the costliest model of
+// 256 cubed), and an edit of a single voxel would have to wait for that. Room that nothing was
+// written to costs addresses, not memory.
 #pragma once
 
 #include <array>
@@ -46,6 +51,11 @@ class DirtyRanges {
 class NodePool {
   public:
     NodePool() { replace({0}, {}); }
+    ~NodePool() = default;
+    NodePool(const NodePool& other);  // with room, too
+    NodePool& operator=(const NodePool& other);
+    NodePool(NodePool&&) noexcept = default;
+    NodePool& operator=(NodePool&&) noexcept = default;
 
     [[nodiscard]] std::uint32_t node(std::uint32_t index) const { return nodes_[index]; }
     [[nodiscard]] std::uint64_t payload(std::uint32_t index) const { return payloads_[index]; }
@@ -65,6 +75,7 @@ class NodePool {
     void freePayload(std::uint32_t index) { freePayloads_.push_back(index); }
 
     [[nodiscard]] OctreeChanges takeChanges();
+    // Bytes in use: without the room for growth.
     [[nodiscard]] std::size_t bytes() const;
 
   private:

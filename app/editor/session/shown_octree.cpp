@@ -44,33 +44,35 @@ std::vector<Edit> difference(const LiveOctree& document, const std::vector<Edit>
 
 }  // namespace
 
-void ShownOctree::replace(LiveOctree octree) {
-    octree_ = std::move(octree);
+void ShownOctree::reset(const LiveOctree& document) {
+    octree_ = document;
+    another_.reset();
     isReplaced_ = true;
-    isAnother_ = false;
     previewed_.clear();
     filled_ = {};
 }
 
-void ShownOctree::reset(const LiveOctree& document) {
-    replace(document);
-}
-
 void ShownOctree::show(LiveOctree octree, const IBox& filled) {
-    replace(std::move(octree));
-    isAnother_ = true;
+    another_ = std::move(octree);
+    isReplaced_ = true;
     filled_ = filled;
 }
 
+void ShownOctree::endAnother() {
+    if (!another_) return;
+    another_.reset();
+    isReplaced_ = true;
+}
+
 OctreeChanges ShownOctree::takeChanges() {
-    OctreeChanges changes = octree_.takeChanges();
+    OctreeChanges changes = another_ ? another_->takeChanges() : octree_.takeChanges();
     // A copy knows nothing of what was shown before it.
     if (std::exchange(isReplaced_, false)) changes.everything = true;
     return changes;
 }
 
 void ShownOctree::follow(const LiveOctree& document, std::span<const Edit> edits) {
-    if (isAnother_) return replace(document);
+    endAnother();
     // What was previewed is often what was then done: nothing is left to change.
     std::vector<Edit> stale;
     const auto add = [&](glm::ivec3 voxel) {
@@ -82,11 +84,11 @@ void ShownOctree::follow(const LiveOctree& document, std::span<const Edit> edits
     previewed_.clear();
     filled_ = {};
     // The document's octree holds these voxels, but this one's may have more holes.
-    if (!octree_.apply(stale)) replace(document);
+    if (!octree_.apply(stale)) reset(document);
 }
 
 Status ShownOctree::preview(const LiveOctree& document, std::vector<Edit> edits) {
-    if (isAnother_) replace(document);
+    endAnother();
     sortOnce(edits);
     if (Status shown = octree_.apply(difference(document, previewed_, edits)); !shown) {
         follow(document, {});

@@ -3,6 +3,7 @@
 // more, and what tools aim at stays as it was.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,18 +25,20 @@ class ShownOctree {
     // `filled` is around those that the edit fills.
     void show(LiveOctree octree, const IBox& filled);
 
-    [[nodiscard]] const LiveOctree& octree() const { return octree_; }
-    [[nodiscard]] bool previews() const { return isAnother_ || !previewed_.empty(); }
+    [[nodiscard]] const LiveOctree& octree() const { return another_ ? *another_ : octree_; }
+    [[nodiscard]] bool previews() const { return another_ || !previewed_.empty(); }
     // Around the voxels that the preview fills.
     [[nodiscard]] const IBox& filled() const { return filled_; }
     [[nodiscard]] OctreeChanges takeChanges();
 
   private:
-    void replace(LiveOctree octree);
+    void endAnother();
 
     LiveOctree octree_;
+    // What show() was given. The octree above waits behind it, still the document's: to copy that
+    // one again would take longer than a hand should wait.
+    std::optional<LiveOctree> another_;
     bool isReplaced_ = false;                  // since changes were last taken
-    bool isAnother_ = false;                   // what show() was given
     std::vector<LiveOctree::Edit> previewed_;  // ascending voxels, none twice
     IBox filled_;
 };

@@ -49,17 +49,22 @@ void SelectionPicture::showNothing() {
     revision_ = shown_ = 0;
 }
 
-void SelectionPicture::make() {
+void SelectionPicture::make(Source source) {
     job_.cancel();
+    Source before = std::exchange(source_, std::move(source));
     const auto factor = static_cast<std::uint64_t>(source_.scale);
     if (source_.voxels.cubeCount() * factor * factor * factor <= kFewCubes) {
         return show(bakeOf(source_));
     }
-    job_.start("Marking what is selected",
-               [this, source = source_](JobProgress&) -> BackgroundJob::Done {
-                   const auto baked = std::make_shared<const Baked>(bakeOf(source));
-                   return [this, baked] { show(*baked); };
-               });
+    job_.start(
+        "Marking what is selected",
+        // What was marked before goes with the job: to free very many voxels takes time, too.
+        [this, source = source_,
+         before = std::move(before)](JobProgress&) mutable -> BackgroundJob::Done {
+            before = {};
+            const auto baked = std::make_shared<const Baked>(bakeOf(source));
+            return [this, baked] { show(*baked); };
+        });
 }
 
 void SelectionPicture::finish() {
@@ -87,10 +92,7 @@ std::uint64_t SelectionPicture::follow(const Session& session) {
         if (floating) {
             now = {floating->clip.voxels, floating->clip.modelFromClip.rotation, floating->amount};
         }
-        if (source_ != now) {
-            source_ = std::move(now);
-            make();
-        }
+        if (source_ != now) make(std::move(now));
     }
     // What was marked before stays where it was.
     if (job_.running()) return shown_;

@@ -35,7 +35,7 @@ class SelectionPicture {
         IBox box;
     };
     [[nodiscard]] static Baked bakeOf(const Source& source);
-    void make();
+    void make(Source source);
     void show(const Baked& baked);
     void showNothing();
 
