@@ -36,7 +36,7 @@ double Point::error(Yardstick yardstick) const {
 
 double Point::milliseconds() const {
     return meanOver(bySize, [](const AtSize& size) {
-        return size.costs ? size.costs->milliseconds.median : kUnknown;
+        return size.costs ? size.costs->milliseconds.least : kUnknown;
     });
 }
 

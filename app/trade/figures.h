@@ -61,10 +61,13 @@ struct Spread {
 
 // Of one frame of a camera on its way past views that it has not seen yet; what was cast stays.
 struct Costs {
-    Spread milliseconds;
-    double rays = 0.0;   // a frame; the same on every machine
-    double casts = 0.0;  // sprites or snapshots made, a frame
-    double bytes = 0.0;  // octree or mesh, and what is kept of its pictures; all of a set of views
+    // Of every run, one by one. On the processor the thread's own time, by OpenGL until all is
+    // drawn.
+    std::vector<double> runsMilliseconds;
+    Spread milliseconds;  // of those
+    double rays = 0.0;    // a frame; the same on every machine
+    double casts = 0.0;   // sprites or snapshots made, a frame
+    double bytes = 0.0;   // octree or mesh, and what is kept of its pictures; all of a set of views
     double prepareMilliseconds = 0.0;  // to make what is kept beforehand: levels, meshes, sets
     std::string backend;               // "cpu", one thread, or "gl"
 };
@@ -92,8 +95,8 @@ struct Point {
 
     // The error that fronts and budgets go by: FLIP, the mean over the sizes.
     [[nodiscard]] double error(Yardstick yardstick) const;
-    // Milliseconds (medians) and rays a frame, the means over the sizes; infinite where the cost
-    // was not measured.
+    // Milliseconds and rays a frame, the means over the sizes; infinite where the cost was not
+    // measured. Of the repeats the least: what else a machine does only ever adds.
     [[nodiscard]] double milliseconds() const;
     [[nodiscard]] double rays() const;
 };

@@ -10,6 +10,7 @@
 #include "app/trade/gl_stage.h"
 #include "app/trade/shown_errors.h"
 #include "core/base/stopwatch.h"
+#include "core/base/thread_stopwatch.h"
 #include "core/measure/temporal.h"
 #include "core/sprite/perspective_picture.h"
 #include "core/sprite/view_axes.h"
@@ -264,7 +265,7 @@ Result<double> Meter::Impl::timeSection(Drawer& drawer, const Setting& setting, 
             sum += *drawn;
             continue;
         }
-        const Stopwatch watch;
+        const ThreadStopwatch watch;
         const Result<Shown> shown = drawer.draw(each, true);
         if (!shown) return Failure(shown.error());
         sum += watch.milliseconds();
@@ -274,7 +275,7 @@ Result<double> Meter::Impl::timeSection(Drawer& drawer, const Setting& setting, 
 
 Status Meter::Impl::timeWay(Drawer& drawer, const Setting& setting, AtSize& out,
                             const Progress& progress, bool& stopped) {
-    std::vector<double> times;
+    std::vector<double>& times = out.costs->runsMilliseconds;
     const Stopwatch watch;
     // The first warms up.
     for (int section = 0; section <= kMostRepeats; ++section) {
@@ -289,7 +290,7 @@ Status Meter::Impl::timeWay(Drawer& drawer, const Setting& setting, AtSize& out,
         if (!time) return Failure(time.error());
         if (section > 0) times.push_back(*time);
     }
-    out.costs->milliseconds = spreadOf(std::move(times));
+    out.costs->milliseconds = spreadOf(times);
     return {};
 }
 
@@ -350,6 +351,24 @@ Result<std::optional<Point>> Meter::measure(const AxisSetting& setting, const Pr
         if (stopped) return std::optional<Point>();
     }
     return std::optional<Point>(std::move(point));
+}
+
+Result<bool> Meter::timeAgain(Point& point, const Progress& progress) {
+    GlStage* const stage = impl_->byGl(point.setting) ? impl_->gl : nullptr;
+    Result<Drawer> drawer = Drawer::create(impl_->parts, impl_->plan.profile, point.setting, stage);
+    if (!drawer) return Failure(drawer.error());
+    const auto sizes = static_cast<double>(point.bySize.size());
+    double done = 0.0;
+    for (AtSize& size : point.bySize) {
+        if (!size.costs) continue;
+        const Progress part = progress.part(done / sizes, (done + 1.0) / sizes);
+        done += 1.0;
+        bool stopped = false;
+        Status timed = impl_->timeWay(*drawer, point.setting, size, part, stopped);
+        if (!timed) return Failure(timed.error());
+        if (stopped) return false;
+    }
+    return true;
 }
 
 std::vector<Camera> Meter::cameras(std::size_t size) const {

@@ -91,6 +91,11 @@ class Meter {
     [[nodiscard]] Result<std::optional<Point>> measure(const AxisSetting& setting,
                                                        const Progress& progress = {});
 
+    // More repeats of the costs of a point that it measured: the more apart in time, the less what
+    // else the machine does falls upon one setting alone. False when it was stopped; what was
+    // added until then stays.
+    [[nodiscard]] Result<bool> timeAgain(Point& point, const Progress& progress = {});
+
     // The cameras that errors are measured from, of one size (an index into plan().sizesPx).
     [[nodiscard]] std::vector<Camera> cameras(std::size_t size) const;
     // That shows the model this large from there, in a square that holds it.

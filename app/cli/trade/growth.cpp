@@ -7,6 +7,7 @@
 #include "app/cli/bench/crowd_scene.h"
 #include "app/trade/drawer.h"
 #include "core/base/stopwatch.h"
+#include "core/base/thread_stopwatch.h"
 #include "core/svo/bake.h"
 #include "render/gpu_octree.h"
 #include "render/measure_representations.h"
@@ -51,7 +52,7 @@ Result<Growth::Sample> drawSprite(const std::shared_ptr<const Model>& model,
         const Camera camera =
             cameraAtSize(parts.placed().radiusMetres(), sizePx,
                          {17.0 + kTurnDegrees * k, 24.0, 0.0}, glm::ivec2(edgeAtSize(sizePx)));
-        const Stopwatch watch;
+        const ThreadStopwatch watch;
         const Result<Shown> shown = drawer->draw(camera, false);
         if (!shown) return Failure(shown.error());
         if (k > 0) times.push_back(watch.milliseconds());

@@ -58,7 +58,7 @@ Series seriesOf(Axis axis, const std::string& name) {
 glm::dvec2 spreadOver(const Point& point) {
     glm::dvec2 sum(0.0);
     for (const AtSize& at : point.bySize)
-        sum += glm::dvec2(at.costs->milliseconds.least, at.costs->milliseconds.most);
+        sum += glm::dvec2(at.costs->milliseconds.least, at.costs->milliseconds.median);
     return sum / static_cast<double>(point.bySize.size());
 }
 
@@ -68,8 +68,9 @@ NamedPlot frontPlot(const Curve& curve, Yardstick yardstick, const std::string& 
     NamedPlot named{name, caption, {}};
     Plot& plot = named.plot;
     plot.title = title;
-    plot.x = {"milliseconds a frame (" + curve.backend + "), the line: from least to most", true,
-              false};
+    plot.x = {"milliseconds a frame (" + curve.backend +
+                  "), least of the repeats; the line: to their median",
+              true, false};
     plot.y = {
         std::string("FLIP against ") +
             (yardstick == Yardstick::sprite ? "the exact sprite" : "the full perspective view"),

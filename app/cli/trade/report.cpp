@@ -25,7 +25,7 @@ std::string exponentText(const Growth& growth, double (*cost)(const Growth::Samp
 }  // namespace
 
 double millisecondsOf(const Growth::Sample& sample) {
-    return sample.milliseconds.median;
+    return sample.milliseconds.least;
 }
 double raysOf(const Growth::Sample& sample) {
     return sample.rays;
@@ -61,7 +61,7 @@ std::string growthTable(const TradeReport& report) {
         rows.push_back(
             {growth.title + ", " + growth.unit, plot::tickText(first.size),
              plot::tickText(last.size),
-             rounded(first.milliseconds.median) + " ... " + rounded(last.milliseconds.median),
+             rounded(millisecondsOf(first)) + " ... " + rounded(millisecondsOf(last)),
              exponentText(growth, millisecondsOf),
              std::to_string(std::llround(first.rays)) + " ... " +
                  std::to_string(std::llround(last.rays)),

@@ -103,12 +103,12 @@ std::string row(const std::vector<std::string>& cells, const char* tag, bool bes
 
 std::string millisecondsText(const Point& point) {
     if (!std::isfinite(point.milliseconds())) return "–";
-    const auto least = meanOf(point, [](const AtSize& at) {
-        return std::optional<double>(at.costs->milliseconds.least);
+    const auto median = meanOf(point, [](const AtSize& at) {
+        return std::optional<double>(at.costs->milliseconds.median);
     });
     const auto most = meanOf(
         point, [](const AtSize& at) { return std::optional<double>(at.costs->milliseconds.most); });
-    return number(point.milliseconds()) + " <span class=\"dim\">(" + number(*least) + " – " +
+    return number(point.milliseconds()) + " <span class=\"dim\">(" + number(*median) + ", " +
            number(*most) + ")</span>";
 }
 
@@ -147,7 +147,7 @@ std::string pointTable(const Curve& curve) {
     const std::vector<std::size_t> front = paretoFront(curve, Yardstick::sprite);
     std::string out = "<div class=\"scroll\"><table>\n";
     out += row(
-        {"setting", "ms a frame (least – most)", "rays", "FLIP", "worst view", "pixels", "voxels",
+        {"setting", "ms a frame (median, most)", "rays", "FLIP", "worst view", "pixels", "voxels",
          "silhouette", "boundary IoU", "outline kept", "outline true", "FLIP, perspective",
          "rounding", "changed a degree", "flips", "crawl", "MiB", "prepare, ms"},
         "th");
@@ -214,7 +214,7 @@ std::string growthSection(const TradeReport& report) {
             row({escaped(growth.title),
                  plot::tickText(first.size) + " – " + plot::tickText(last.size) + " " +
                      escaped(growth.unit),
-                 escaped(growth.what), range(first.milliseconds.median, last.milliseconds.median),
+                 escaped(growth.what), range(millisecondsOf(first), millisecondsOf(last)),
                  exponent(growth, millisecondsOf), whole(first.rays) + " – " + whole(last.rays),
                  exponent(growth, raysOf), mebibytes(first.bytes) + " – " + mebibytes(last.bytes),
                  exponent(growth, bytesOf)},

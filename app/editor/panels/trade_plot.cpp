@@ -206,9 +206,9 @@ void pointTooltip(Ui& ui, const trade::Point& point) {
             percentText(largest.time.changedADegree) + " of its pixels change a degree\n";
     if (largest.costs) {
         const trade::Spread& spread = largest.costs->milliseconds;
-        text += millisecondsText(point.milliseconds()) + " a frame (" +
-                millisecondsText(spread.least) + " to " + millisecondsText(spread.most) +
-                " when large), " + countText(point.rays()) + " rays\n";
+        text += millisecondsText(point.milliseconds()) + " a frame (the median " +
+                millisecondsText(spread.median) + " when large), " + countText(point.rays()) +
+                " rays\n";
     }
     text += "Click: look at it as B. Double click: use it";
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, theme.px(10, 7));

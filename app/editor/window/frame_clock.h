@@ -6,6 +6,9 @@
 #include <array>
 #include <cstdint>
 
+#include "core/base/stopwatch.h"
+#include "core/base/thread_stopwatch.h"
+
 namespace voxprite::editor {
 
 enum class FramePart : std::uint8_t {
@@ -36,8 +39,8 @@ class FrameClock {
     }
 
   private:
-    double begunAt_ = 0.0;
-    double busyAt_ = 0.0;
+    Stopwatch frame_;
+    ThreadStopwatch busy_;
     double longestFrame_ = 0.0;
     double longestOwn_ = 0.0;
     std::array<double, kParts> now_{};

@@ -138,6 +138,23 @@ TEST(Meter, SettingsAreWorthWhatTheyMustBe) {
         }
 }
 
+// Timed again: more runs, nothing else.
+TEST(Meter, TimesAgain) {
+    Meter meter = must(Meter::create(figureModel(), smallPlan()));
+    const Point first = must(meter.measure({Axis::game, settingOf(smallPlan().profile)})).value();
+    Point again = first;
+    ASSERT_TRUE(must(meter.timeAgain(again)));
+    for (std::size_t k = 0; k < first.bySize.size(); ++k) {
+        const Costs &before = *first.bySize[k].costs, &after = *again.bySize[k].costs;
+        EXPECT_GE(after.milliseconds.runs, before.milliseconds.runs + 2);
+        EXPECT_EQ(after.milliseconds.runs, static_cast<int>(after.runsMilliseconds.size()));
+        EXPECT_LE(after.milliseconds.least, before.milliseconds.least);
+        EXPECT_GE(after.milliseconds.most, before.milliseconds.most);
+        EXPECT_EQ(after.rays, before.rays);
+        EXPECT_EQ(after.bytes, before.bytes);
+    }
+}
+
 // Slowly round: a step comes once in many frames, and what it changes stays.
 TEST(Meter, SnappedViewsChangeInStepsAndNeverFlickerBack) {
     Plan plan = smallPlan();
