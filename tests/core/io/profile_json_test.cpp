@@ -124,5 +124,17 @@ TEST(ProfileJson, EveryTruncationIsAnError) {
     }
 }
 
+TEST(ProfileJson, EveryFlippedByteEndsInAnErrorOrAValidProfile) {
+    const std::string json = writeProfile(unusualProfile());
+    for (std::size_t at = 0; at < json.size(); ++at) {
+        for (const int mask : {0x01, 0x80, 0xFF}) {
+            std::string flipped = json;
+            flipped[at] = static_cast<char>(flipped[at] ^ mask);
+            const auto read = readProfile(flipped);
+            EXPECT_TRUE(!read || validate(*read)) << at;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace voxprite

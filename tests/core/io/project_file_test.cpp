@@ -183,6 +183,22 @@ TEST(ProjectFile, EveryTruncationIsAnError) {
     }
 }
 
+TEST(ProjectFile, EveryCutAndFlippedByteOfASmallOneEndsInAnErrorOrADocument) {
+    Document document = Document::withEmptyModel();
+    document.models[0].voxels.set({1, 2, 3}, 4);
+    const Bytes whole = written(document);
+    ASSERT_TRUE(readProject(whole));
+    for (std::size_t length = 0; length < whole.size(); ++length) {
+        EXPECT_FALSE(readProject(ByteView(whole).first(length))) << length;
+    }
+    for (std::size_t at = 0; at < whole.size(); ++at) {
+        Bytes flipped = whole;
+        flipped[at] ^= static_cast<std::uint8_t>(at % 2 == 0 ? 0xFF : 0x01);
+        const auto read = readProject(flipped);
+        EXPECT_TRUE(!read || *read == document) << at;
+    }
+}
+
 TEST(ProjectFile, ChangedBytesNeverChangeTheDocumentInSilence) {
     const Document document = fullDocument();
     const Bytes bytes = written(document);
@@ -262,6 +278,12 @@ TEST(VoxelPayload, RefusesWhatItCannotHold) {
         bytes[at] = value;
         return readVoxelPayload(bytes);
     };
+    for (std::size_t at = 0; at < good.size(); ++at) {
+        for (const int mask : {0x01, 0x80, 0xFF}) {
+            const auto read = changed(at, static_cast<std::uint8_t>(good[at] ^ mask));
+            EXPECT_TRUE(!read || writeVoxelPayload(*read)) << at;
+        }
+    }
     EXPECT_FALSE(changed(0, 'W'));    // mark
     EXPECT_FALSE(changed(7, 0xFF));   // number of blocks
     EXPECT_FALSE(changed(8, 1));      // x off the grid of blocks

@@ -225,7 +225,7 @@ TEST(QbDamage, EveryFlippedByteEndsInAnErrorOrADocument) {
     for (const std::uint32_t runs : {0u, 1u}) {
         const Bytes whole = wholeFile(runs);
         for (std::size_t at = 0; at < whole.size(); ++at) {
-            for (int mask = 1; mask < 256; ++mask) {
+            for (const int mask : {0x01, 0x02, 0x10, 0x40, 0x80, 0xFF}) {
                 Bytes flipped = whole;
                 flipped[at] = static_cast<std::uint8_t>(flipped[at] ^ mask);
                 expectErrorOrDocument(flipped);
