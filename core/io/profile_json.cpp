@@ -16,6 +16,8 @@ struct Named {
     E value;
     const char* name;
 };
+template <class E>
+Named(E, const char*) -> Named<E>;
 
 constexpr std::array kViewRules{Named{ViewRule::cameraForward, "camera_forward"},
                                 Named{ViewRule::towardEntity, "toward_entity"}};

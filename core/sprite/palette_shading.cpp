@@ -1,7 +1,6 @@
 #include "core/sprite/palette_shading.h"
 
 #include <cmath>
-#include <ranges>
 
 namespace voxprite {
 
@@ -48,10 +47,10 @@ Rgba8 PaletteShader::picked(std::uint8_t index, Rgba8 aim) const {
     std::uint8_t best = index;
     if (const auto& ramp = choices_[index]; !ramp.empty()) {
         // From the light end, so that an equally near darker one does not win.
-        for (const std::uint8_t choice : std::views::reverse(ramp)) {
-            if (std::abs(labs_[choice].lightness - wanted.lightness) <
+        for (auto choice = ramp.rbegin(); choice != ramp.rend(); ++choice) {
+            if (std::abs(labs_[*choice].lightness - wanted.lightness) <
                 std::abs(labs_[best].lightness - wanted.lightness)) {
-                best = choice;
+                best = *choice;
             }
         }
     } else {
