@@ -2,8 +2,8 @@
 // something valid; never in a crash, a hang or a hunger for memory (the command line of the fuzzer
 // sets the bounds: see `./dev fuzz`).
 //
-// Built with libFuzzer and sanitizers (VOXPRITE_FUZZ). Checksums of our own files are not compared
-// then (core/base/hash.h), since no mutation would come past them.
+// Built with libFuzzer and sanitizers (VOXPRITE_SANITIZE by clang). Checksums are not compared
+// (core/base/hash.h), since no mutation would come past them.
 #pragma once
 
 #include <cstdint>
