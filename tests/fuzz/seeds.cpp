@@ -88,7 +88,6 @@ void addDocument(Seeds& seeds, const std::string& name, const Document& document
     seeds.add("project_json", name, writeProjectJson(document, document.authored, entries));
     const Result<SvoFile> octrees = bakeForExport(document, GameProfile{});
     if (octrees) seeds.add("svo", name, writeSvo(*octrees));
-    addMeshes(seeds, name, document);
     for (std::size_t k = 0; k < document.models.size(); ++k) {
         seeds.add("voxel_payload", name + std::to_string(k),
                   writeVoxelPayload(document.models[k].voxels));
@@ -104,7 +103,10 @@ int main(int argc, char** argv) {
     }
     Seeds seeds(argv[1]);
     addDocument(seeds, "busy", test::busyDocument());
-    addDocument(seeds, "figure", test::documentOf(test::figure()));
+    const Document figure = test::documentOf(test::figure());
+    addDocument(seeds, "figure", figure);
+    addMeshes(seeds, "figure", figure);
+    addMeshes(seeds, "box", test::documentOf(test::solidBox({1, 2, 3})));
     addDocument(seeds, "noise", test::documentOf(test::randomVoxels(1, {5, 7, 9}, 0.3, 200)));
     addDocument(seeds, "frames",
                 test::animationOf({test::asymmetric(), test::solidBox({8, 8, 8}, 7)}));

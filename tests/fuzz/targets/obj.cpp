@@ -10,6 +10,7 @@ VOXPRITE_FUZZ_TARGET(bytes) {
     if (!read) return requireReason(read.error(), bytes.size());
     MeshReadOptions options;
     options.resolution = 8;
+    options.threads = 1;
     const Result<LoadedDocument> voxels = voxelsOf(std::move(read->mesh), options);
     if (!voxels) return requireReason(voxels.error(), bytes.size());
     requireValid(voxels->document);
