@@ -62,18 +62,44 @@ bool sendsEveryRayToItsPixel(const glm::dmat3& map, std::span<const Ray> rays, g
     return true;
 }
 
-std::optional<RayPicture> pictureOf(const OctreeView& octree, std::span<const Ray> rays,
-                                    glm::ivec2 size, int maxDepth) {
+// The same map of a picture whose directions are given as a sum; nothing where rounding could send
+// a ray further than the tolerance from its pixel.
+std::optional<glm::dmat3> pictureMap(const EyePicture& picture, glm::ivec2 corner) {
+    const glm::dmat3 voxelFromPicture(picture.perColumn, picture.perRow,
+                                      picture.ray(corner).direction);
+    if (!(std::abs(glm::determinant(voxelFromPicture)) > 0.0)) return std::nullopt;
+    const glm::dmat3 map = glm::inverse(voxelFromPicture);
+    // Of pixel (i, j), q is (i, j, 1) but for what `off` makes of that, and for the roundings of
+    // the direction, of at most four units in the last place of the greatest number on its way.
+    const glm::dmat3 off = map * voxelFromPicture - glm::dmat3(1.0);
+    constexpr double kEdge = PacketHits::kEdge;
+    double greatest = 0.0, inMap = 0.0, inOff = 0.0;
+    for (glm::length_t k = 0; k < 3; ++k) {
+        greatest =
+            std::max({greatest, std::abs(picture.first[k]) +
+                                    (std::abs(corner.x) + kEdge) * std::abs(picture.perColumn[k]) +
+                                    (std::abs(corner.y) + kEdge) * std::abs(picture.perRow[k])});
+        for (glm::length_t row = 0; row < 3; ++row) {
+            inMap = std::max(inMap, std::abs(map[k][row]));
+            inOff = std::max(inOff, std::abs(off[k][row]));
+        }
+    }
+    const double error = 3.0 * inMap * std::ldexp(greatest, -50) + (2.0 * kEdge + 1.0) * inOff;
+    // q.x - i q.z is off by that and i times that.
+    if (!(error * (1.0 + kEdge) < kTolerancePx / 2.0)) return std::nullopt;  // NaN, too
+    return map;
+}
+
+std::optional<RayPicture> pictureOf(const OctreeView& octree, const glm::dvec3& eye,
+                                    const std::optional<glm::dmat3>& map, glm::ivec2 size,
+                                    int maxDepth) {
     RayPicture picture;
     picture.octree = octree;
-    picture.rays = rays;
     picture.size = size;
     picture.maxDepth = maxDepth;
     picture.leafLevel = std::clamp(octree.maxDepth - maxDepth, 0, octree.maxDepth);
-    if (picture.leafLevel == octree.maxDepth) return std::nullopt;
-    const std::optional<glm::dmat3> map = pictureMap(rays, size);
-    if (!map || !sendsEveryRayToItsPixel(*map, rays, size)) return std::nullopt;
-    const glm::dvec3 eye = rays[0].origin;
+    if (picture.leafLevel == octree.maxDepth || !map) return std::nullopt;
+    picture.eye = eye;
     picture.box = castableBox(octree, picture.leafLevel);
     picture.inside = true;
     for (int a = 0; a < 3; ++a)
@@ -95,12 +121,58 @@ std::optional<RayPicture> pictureOf(const OctreeView& octree, std::span<const Ra
     return picture;
 }
 
-void castOneByOne(const OctreeView& octree, std::span<const Ray> rays, glm::ivec2 size,
-                  int maxDepth, RayPacketHits& hits) {
-    std::size_t at = 0;
+// rayAt(column, row) gives each.
+template <class RayAt>
+void castOneByOne(const OctreeView& octree, glm::ivec2 size, int maxDepth, RayPacketHits& hits,
+                  const RayAt& rayAt) {
     for (int row = 0; row < size.y; ++row)
-        for (int column = 0; column < size.x; ++column, ++at)
-            hits.add(column, row, castQuantised(octree, quantiseRay(octree, rays[at], maxDepth)));
+        for (int column = 0; column < size.x; ++column)
+            hits.add(column, row,
+                     castQuantised(octree, quantiseRay(octree, rayAt(column, row), maxDepth)));
+}
+
+// By the axes that the ray runs downward along.
+unsigned groupOf(const glm::dvec3& direction) {
+    return unsigned{direction.x < 0.0} | unsigned{direction.y < 0.0} << 1 |
+           unsigned{direction.z < 0.0} << 2;
+}
+
+using Alive = std::array<std::uint64_t, PacketHits::kEdge + 8>;  // a bit a ray, a word a row
+
+void walkGroup(const RayPicture& picture, unsigned group, Alive& alive, RayPacketHits& hits) {
+    const glm::bvec3 mirrored((group & 1u) != 0, (group & 2u) != 0, (group & 4u) != 0);
+    walkRays(picture, mirrored, alive.data(), hits);
+}
+
+// Sums of terms that grow, or shrink, with the column and with the row do so when they are rounded,
+// too: what the corners' rays agree in, all do.
+std::optional<unsigned> groupOfAll(const RayPicture& picture) {
+    if (!picture.rays.empty()) return std::nullopt;
+    const glm::ivec2 last = picture.size - 1;
+    const unsigned group = groupOf(picture.rayAt(0, 0).direction);
+    for (const glm::ivec2 corner : {glm::ivec2(last.x, 0), glm::ivec2(0, last.y), last})
+        if (groupOf(picture.rayAt(corner.x, corner.y).direction) != group) return std::nullopt;
+    return group;
+}
+
+void castTogether(const RayPicture& picture, RayPacketHits& hits) {
+    const glm::ivec2 size = picture.size;
+    hits.quantised.fill(0);
+    if (const std::optional<unsigned> group = groupOfAll(picture)) {
+        Alive alive{};
+        std::fill_n(alive.begin(), size.y, ~std::uint64_t{0} >> (PacketHits::kEdge - size.x));
+        return walkGroup(picture, *group, alive, hits);
+    }
+    std::array<Alive, 8> alive{};
+    unsigned groups = 0;
+    for (int row = 0; row < size.y; ++row)
+        for (int column = 0; column < size.x; ++column) {
+            const unsigned group = groupOf(picture.rayAt(column, row).direction);
+            groups |= 1u << group;
+            alive[group][static_cast<std::size_t>(row)] |= std::uint64_t{1} << column;
+        }
+    for (unsigned group = 0; group < 8; ++group)
+        if ((groups >> group & 1u) != 0) walkGroup(picture, group, alive[group], hits);
 }
 
 }  // namespace
@@ -110,60 +182,98 @@ bool castRayPacket(const OctreeView& octree, std::span<const Ray> rays, glm::ive
     if (size.x <= 0 || size.y <= 0) return true;
     hits.clear(size.y);
     if (castableBox(octree).empty()) return true;
-    const std::optional<RayPicture> picture = pictureOf(octree, rays, size, maxDepth);
+    std::optional<glm::dmat3> map = pictureMap(rays, size);
+    if (map && !sendsEveryRayToItsPixel(*map, rays, size)) map.reset();
+    std::optional<RayPicture> picture = pictureOf(octree, rays[0].origin, map, size, maxDepth);
     if (!picture) {
-        castOneByOne(octree, rays, size, maxDepth, hits);
+        castOneByOne(octree, size, maxDepth, hits, [&](int column, int row) {
+            return rays[static_cast<std::size_t>(row * size.x + column)];
+        });
         return false;
     }
-    hits.quantised.fill(0);
-    // By the axes that rays run downward along.
-    std::array<std::array<std::uint64_t, PacketHits::kEdge + 8>, 8> alive{};
-    unsigned groups = 0;
-    std::size_t at = 0;
-    for (std::size_t row = 0; row < static_cast<std::size_t>(size.y); ++row)
-        for (int column = 0; column < size.x; ++column, ++at) {
-            const glm::dvec3& d = rays[at].direction;
-            const unsigned group =
-                unsigned{d.x < 0.0} | unsigned{d.y < 0.0} << 1 | unsigned{d.z < 0.0} << 2;
-            groups |= 1u << group;
-            alive[group][row] |= std::uint64_t{1} << column;
-        }
-    for (unsigned group = 0; group < 8; ++group) {
-        if ((groups >> group & 1u) == 0) continue;
-        const glm::bvec3 mirrored((group & 1u) != 0, (group & 2u) != 0, (group & 4u) != 0);
-        walkRays(*picture, mirrored, alive[group].data(), hits);
-    }
+    picture->rays = rays;
+    castTogether(*picture, hits);
     return true;
 }
 
-void raycastPicture(const OctreeView& octree, glm::ivec2 size, int maxDepth, int threads,
-                    const std::function<Ray(glm::ivec2 pixel)>& rayThrough,
-                    const std::function<OnRaycastHit()>& eachHit) {
+bool castRayPacket(const OctreeView& octree, const EyePicture& eyePicture, glm::ivec2 corner,
+                   glm::ivec2 size, int maxDepth, RayPacketHits& hits) {
+    if (size.x <= 0 || size.y <= 0) return true;
+    hits.clear(size.y);
+    if (castableBox(octree).empty()) return true;
+    std::optional<RayPicture> picture =
+        pictureOf(octree, eyePicture.eye, pictureMap(eyePicture, corner), size, maxDepth);
+    if (!picture) {
+        castOneByOne(octree, size, maxDepth, hits, [&](int column, int row) {
+            return eyePicture.ray(corner + glm::ivec2(column, row));
+        });
+        return false;
+    }
+    picture->eyePicture = eyePicture;
+    picture->corner = corner;
+    castTogether(*picture, hits);
+    return true;
+}
+
+namespace {
+
+// castPacket(first pixel, size, hits) casts one packet of the picture; rayAt(pixel) gives a ray.
+template <class MakeCastPacket, class RayAt>
+void castPicture(const OctreeView& octree, glm::ivec2 size, int maxDepth, int threads,
+                 const MakeCastPacket& makeCastPacket, const RayAt& rayAt,
+                 const std::function<OnRaycastHit()>& eachHit) {
     constexpr int kEdge = PacketHits::kEdge;
     const glm::ivec2 packets = (size + (kEdge - 1)) / kEdge;
     parallelFor(packets.x * packets.y, threads, [&](int firstPacket, int lastPacket) {
         const OnRaycastHit onHit = eachHit();
         const auto hits = std::make_unique_for_overwrite<RayPacketHits>();
-        std::vector<Ray> rays;
+        auto castPacket = makeCastPacket();
         for (int packet = firstPacket; packet < lastPacket; ++packet) {
             const glm::ivec2 first{packet % packets.x * kEdge, packet / packets.x * kEdge};
             const glm::ivec2 part = glm::min(size - first, glm::ivec2(kEdge));
-            rays.clear();
-            for (int row = 0; row < part.y; ++row)
-                for (int column = 0; column < part.x; ++column)
-                    rays.push_back(rayThrough(first + glm::ivec2(column, row)));
-            castRayPacket(octree, rays, part, maxDepth, *hits);
+            castPacket(first, part, *hits);
             for (int row = 0; row < part.y; ++row)
                 for (std::uint64_t bits = hits->rows[static_cast<std::size_t>(row)]; bits != 0;
                      bits &= bits - 1) {
                     const int column = std::countr_zero(bits);
-                    const Ray& ray = rays[static_cast<std::size_t>(row * part.x + column)];
-                    onHit(first + glm::ivec2(column, row), ray,
+                    const glm::ivec2 pixel = first + glm::ivec2(column, row);
+                    const Ray ray = rayAt(pixel);
+                    onHit(pixel, ray,
                           raycastHit(octree, ray, quantiseRay(octree, ray, maxDepth),
                                      hits->at(column, row)));
                 }
         }
     });
+}
+
+}  // namespace
+
+void raycastPicture(const OctreeView& octree, glm::ivec2 size, int maxDepth, int threads,
+                    const std::function<Ray(glm::ivec2 pixel)>& rayThrough,
+                    const std::function<OnRaycastHit()>& eachHit) {
+    const auto makeCastPacket = [&] {
+        return [&, rays = std::vector<Ray>()](glm::ivec2 first, glm::ivec2 part,
+                                              RayPacketHits& hits) mutable {
+            rays.clear();
+            for (int row = 0; row < part.y; ++row)
+                for (int column = 0; column < part.x; ++column)
+                    rays.push_back(rayThrough(first + glm::ivec2(column, row)));
+            castRayPacket(octree, rays, part, maxDepth, hits);
+        };
+    };
+    castPicture(octree, size, maxDepth, threads, makeCastPacket, rayThrough, eachHit);
+}
+
+void raycastPicture(const OctreeView& octree, const EyePicture& picture, glm::ivec2 size,
+                    int maxDepth, int threads, const std::function<OnRaycastHit()>& eachHit) {
+    const auto makeCastPacket = [&] {
+        return [&](glm::ivec2 first, glm::ivec2 part, RayPacketHits& hits) {
+            castRayPacket(octree, picture, first, part, maxDepth, hits);
+        };
+    };
+    castPicture(
+        octree, size, maxDepth, threads, makeCastPacket,
+        [&](glm::ivec2 pixel) { return picture.ray(pixel); }, eachHit);
 }
 
 }  // namespace voxprite

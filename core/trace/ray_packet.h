@@ -8,7 +8,9 @@
 // Nodes are placed on the picture by a projective map that is found from the packet's own rays: of
 // four corners' directions it makes the one that sends every ray to its pixel. Whether it does, for
 // all of them and to 1/128 of a pixel, is checked; rays that do not form such a picture, or do not
-// start in one point, are cast one by one, as are those with a direction component of 0.
+// start in one point, are cast one by one, as are those with a direction component of 0. An
+// EyePicture needs no such check, and none of its rays is made unless something asks for it: pixels
+// beside the model cost next to nothing.
 #pragma once
 
 #include <array>
@@ -31,10 +33,26 @@ class RayPacketHits : public PacketHits {
     std::array<std::uint64_t, kEdge> quantised;  // a bit a ray whose numbers are there
 };
 
+// The rays of a perspective picture, in voxel space: that of pixel (i, j) starts in the eye and
+// runs along first + perColumn * i + perRow * j, computed in this order.
+struct EyePicture {
+    glm::dvec3 eye{0.0};
+    glm::dvec3 first{0.0, 1.0, 0.0};
+    glm::dvec3 perColumn{0.0}, perRow{0.0};
+
+    [[nodiscard]] Ray ray(glm::ivec2 pixel) const {
+        return {eye, first + perColumn * static_cast<double>(pixel.x) +
+                         perRow * static_cast<double>(pixel.y)};
+    }
+};
+
 // Row by row size.x * size.y rays, at most PacketHits::kEdge on either axis: for each what
 // castQuantised(octree, quantiseRay(octree, ray, maxDepth)) gives. True if they were cast together.
 bool castRayPacket(const OctreeView& octree, std::span<const Ray> rays, glm::ivec2 size,
                    int maxDepth, RayPacketHits& hits);
+// The same of the pixels [corner, corner + size) of a picture.
+bool castRayPacket(const OctreeView& octree, const EyePicture& picture, glm::ivec2 corner,
+                   glm::ivec2 size, int maxDepth, RayPacketHits& hits);
 
 // A whole picture by packets: for every pixel of [0, size) whose ray hits, what raycast gives for
 // it with that depth. `eachHit` is called on several threads, for one pixel at a time on each, and
@@ -43,5 +61,8 @@ using OnRaycastHit = std::function<void(glm::ivec2 pixel, const Ray& ray, const 
 void raycastPicture(const OctreeView& octree, glm::ivec2 size, int maxDepth, int threads,
                     const std::function<Ray(glm::ivec2 pixel)>& rayThrough,
                     const std::function<OnRaycastHit()>& eachHit);
+// The same of the pixels [0, size) of a picture.
+void raycastPicture(const OctreeView& octree, const EyePicture& picture, glm::ivec2 size,
+                    int maxDepth, int threads, const std::function<OnRaycastHit()>& eachHit);
 
 }  // namespace voxprite

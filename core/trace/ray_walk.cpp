@@ -5,6 +5,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -41,10 +42,14 @@ class EyeRays {
         const int depth = tree.octree.maxDepth;
         positionBits_ = kRayEdgeBits - depth;
         rootEdge_ = std::ldexp(1.0, kRayEdgeBits);
+        for (int a = 0; a < 3; ++a) {
+            boxLow_[a] = picture.box.min[a] - tree.octree.treeFromVoxel[a];
+            boxHigh_[a] = picture.box.max[a] - tree.octree.treeFromVoxel[a];
+        }
         for (int a = 0; picture.inside && a < 3; ++a) {
             // quantiseRay's start of every ray: it is the eye.
             const double steps =
-                (picture.rays[0].origin[a] + tree.octree.treeFromVoxel[a]) * (1 << positionBits_);
+                (picture.eye[a] + tree.octree.treeFromVoxel[a]) * (1 << positionBits_);
             const auto start =
                 static_cast<double>(static_cast<int>(steps < 0.0 ? steps - 0.5 : steps + 0.5));
             eye_[a] = tree.flip[a] != 0 ? rootEdge_ - start : start;
@@ -218,41 +223,97 @@ class EyeRays {
         float radius[3];
     };
 
-    std::uint64_t quantise(int row, std::uint64_t lacking) {
+    // quantiseRay, operation by operation, for as many rays at once as a vector has lanes.
+    HWY_NOINLINE std::uint64_t quantise(int row, std::uint64_t lacking) {
+        const hn::CappedTag<double, kMostLanes> d;
+        constexpr std::size_t kAll = kMostLanes;
+        const std::size_t count = hn::Lanes(d);
         std::uint64_t done = 0;
         hits_.quantised[static_cast<std::size_t>(row)] |= lacking;
-        for (; lacking != 0; lacking &= lacking - 1) {
-            const int column = std::countr_zero(lacking);
-            const Ray& ray =
-                picture_.rays[static_cast<std::size_t>(row * picture_.size.x + column)];
-            const QuantisedRay q = quantiseRay(picture_.octree, ray, picture_.maxDepth);
-            const bool still = q.direction.x == 0 || q.direction.y == 0 || q.direction.z == 0;
-            if (!q.meetsBox || still) {
-                done |= std::uint64_t{1} << column;
-                if (q.meetsBox) hits_.add(column, row, castQuantised(picture_.octree, q));
-                continue;
+        for (std::uint64_t left = lacking; left != 0;) {
+            const std::size_t first =
+                static_cast<std::size_t>(std::countr_zero(left)) / count * count;
+            const std::uint64_t chunk = lanes() << first;
+            alignas(64) double direction[3][kAll];
+            for (std::size_t k = 0; k < count; ++k) {
+                // Past the last column its ray again.
+                const int column = std::min(static_cast<int>(first + k), picture_.size.x - 1);
+                const glm::dvec3 own = picture_.rayAt(column, row).direction;
+                for (int a = 0; a < 3; ++a) direction[a][k] = own[a];
             }
-            const std::size_t at = PacketHits::index(column, row);
-            double O[3], D[3];
-            for (int a = 0; a < 3; ++a) {
-                const bool mirrored = tree_.flip[a] != 0;
-                D[a] = std::abs(q.direction[a]);
-                O[a] = mirrored ? rootEdge_ - q.origin[a] : q.origin[a];
-                hits_.directions[static_cast<std::size_t>(a)][at] = D[a];
-            }
-            for (int p = 0; p < 3; ++p)
-                hits_.products[static_cast<std::size_t>(p)][at] =
-                    O[kPairFirst[p]] * D[kPairSecond[p]] - O[kPairSecond[p]] * D[kPairFirst[p]];
+            const std::uint64_t alone = quantiseChunk(direction, PacketHits::index(0, row) + first);
+            done |= alone << first & left & chunk;
+            left &= ~chunk;
         }
+        castAlone(row, done);
         return done;
+    }
+
+    // The numbers of a vector's rays, to `at`; a bit for each that misses the box or stays where it
+    // is on an axis: those have none.
+    HWY_INLINE std::uint64_t quantiseChunk(const double (&direction)[3][kMostLanes],
+                                           std::size_t at) {
+        const hn::CappedTag<double, kMostLanes> d;
+        using Vector = hn::Vec<decltype(d)>;
+        const auto zero = hn::Zero(d);
+        const Vector along[3] = {hn::Load(d, direction[0]), hn::Load(d, direction[1]),
+                                 hn::Load(d, direction[2])};
+        const auto largest =
+            hn::Max(hn::Max(hn::Abs(along[0]), hn::Abs(along[1])), hn::Abs(along[2]));
+        const Vector scaled[3] = {hn::Div(along[0], largest), hn::Div(along[1], largest),
+                                  hn::Div(along[2], largest)};
+        auto alone = hn::Lt(zero, zero);
+        auto enter = zero;
+        for (int a = 0; a < 3; ++a) {
+            const bool below = picture_.eye[a] < boxLow_[a];
+            if (!below && picture_.eye[a] < boxHigh_[a]) continue;
+            alone = hn::Or(alone, below ? hn::Le(scaled[a], zero) : hn::Ge(scaled[a], zero));
+            const double distance = (below ? boxLow_[a] : boxHigh_[a]) - picture_.eye[a];
+            const auto when = hn::Div(hn::Set(d, distance), scaled[a]);
+            enter = hn::IfThenElse(hn::Gt(when, enter), when, enter);
+        }
+        const auto rounded = [&](Vector x) {
+            return hn::Trunc(hn::Add(x, hn::CopySign(hn::Set(d, 0.5), x)));
+        };
+        Vector O[3] = {zero, zero, zero}, D[3] = {zero, zero, zero};
+        for (int a = 0; a < 3; ++a) {
+            const auto start = hn::Add(hn::Set(d, picture_.eye[a]), hn::Mul(scaled[a], enter));
+            const auto within = hn::And(hn::Ge(start, hn::Set(d, boxLow_[a] - 1.0)),
+                                        hn::Le(start, hn::Set(d, boxHigh_[a] + 1.0)));
+            alone = hn::Or(alone, hn::Not(within));
+            const auto inTree =
+                hn::Add(start, hn::Set(d, static_cast<double>(picture_.octree.treeFromVoxel[a])));
+            const auto origin = rounded(hn::Mul(inTree, hn::Set(d, 1 << positionBits_)));
+            O[a] = tree_.flip[a] != 0 ? hn::Sub(hn::Set(d, rootEdge_), origin) : origin;
+            D[a] = hn::Abs(rounded(hn::Mul(scaled[a], hn::Set(d, 1 << kRayDirectionBits))));
+            alone = hn::Or(alone, hn::Eq(D[a], zero));
+            hn::StoreU(D[a], d, hits_.directions[static_cast<std::size_t>(a)].data() + at);
+        }
+        for (int p = 0; p < 3; ++p) {
+            const auto G = hn::Sub(hn::Mul(O[kPairFirst[p]], D[kPairSecond[p]]),
+                                   hn::Mul(O[kPairSecond[p]], D[kPairFirst[p]]));
+            hn::StoreU(G, d, hits_.products[static_cast<std::size_t>(p)].data() + at);
+        }
+        return bitsOf(d, alone);
+    }
+
+    // Rays that have no numbers: those that meet the box all the same.
+    void castAlone(int row, std::uint64_t rays) {
+        for (; rays != 0; rays &= rays - 1) {
+            const int column = std::countr_zero(rays);
+            const QuantisedRay q =
+                quantiseRay(picture_.octree, picture_.rayAt(column, row), picture_.maxDepth);
+            if (q.meetsBox) hits_.add(column, row, castQuantised(picture_.octree, q));
+        }
     }
 
     const RayPicture& picture_;
     const PacketTree& tree_;
     RayPacketHits& hits_;
     int positionBits_ = 0;
-    double rootEdge_ = 0.0;  // in steps
-    double eye_[3]{};        // mirrored, in steps; where it is in the box
+    double rootEdge_ = 0.0;              // in steps
+    double eye_[3]{};                    // mirrored, in steps; where it is in the box
+    double boxLow_[3]{}, boxHigh_[3]{};  // in voxels
     std::array<Level, kMaxOctreeDepth> levels_;
 };
 

@@ -13,7 +13,10 @@ namespace voxprite {
 // A packet whose rays form a picture.
 struct RayPicture {
     OctreeView octree;
-    std::span<const Ray> rays;
+    std::span<const Ray> rays;  // row by row; none: they are those of `eyePicture` from `corner` on
+    EyePicture eyePicture;
+    glm::ivec2 corner{0};
+    glm::dvec3 eye{0.0};
     glm::ivec2 size{0};
     int maxDepth = 0;
     int leafLevel = 0;
@@ -26,6 +29,11 @@ struct RayPicture {
     glm::dvec3 rootCentre{0.0};  // the root cube's centre there
     // How far from a node a ray may run whose quantised line meets it, in voxels, on each axis.
     double slack = 0.0;
+
+    [[nodiscard]] Ray rayAt(int column, int row) const {
+        if (rays.empty()) return eyePicture.ray(corner + glm::ivec2(column, row));
+        return rays[static_cast<std::size_t>(row * size.x + column)];
+    }
 };
 
 // Casts the rays of `alive` (a bit a ray, a word a row; kEdge words and 8 more to read), all of

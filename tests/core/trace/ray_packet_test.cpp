@@ -33,12 +33,29 @@ class RayPackets : public testing::Test {
 
     void expectScalar(const OctreeView& octree, const std::vector<Ray>& rays, glm::ivec2 size,
                       int maxDepth, const std::string& what) {
+        expectScalar(octree, rays, size, maxDepth, what,
+                     [&] { return castRayPacket(octree, rays, size, maxDepth, *hits_); });
+    }
+
+    void expectScalar(const OctreeView& octree, const EyePicture& picture, glm::ivec2 corner,
+                      glm::ivec2 size, int maxDepth, const std::string& what) {
+        std::vector<Ray> rays;
+        for (int j = 0; j < size.y; ++j)
+            for (int i = 0; i < size.x; ++i) rays.push_back(picture.ray(corner + glm::ivec2(i, j)));
+        expectScalar(octree, rays, size, maxDepth, what, [&] {
+            return castRayPacket(octree, picture, corner, size, maxDepth, *hits_);
+        });
+    }
+
+    template <class Cast>
+    void expectScalar(const OctreeView& octree, const std::vector<Ray>& rays, glm::ivec2 size,
+                      int maxDepth, const std::string& what, const Cast& cast) {
         std::vector<LatticeHit> want;
         for (const Ray& ray : rays)
             want.push_back(castQuantised(octree, quantiseRay(octree, ray, maxDepth)));
         for (const std::int64_t target : targets_) {
             useSimdTarget(target);
-            together_ += castRayPacket(octree, rays, size, maxDepth, *hits_) ? 1 : 0;
+            together_ += cast() ? 1 : 0;
             std::size_t at = 0;
             for (int j = 0; j < size.y; ++j)
                 for (int i = 0; i < size.x; ++i, ++at) {
@@ -150,6 +167,75 @@ TEST_F(RayPackets, CutTreesAndLiveOctrees) {
         }
     }
     EXPECT_GT(together_, 10u);
+}
+
+// Pixel (0, 0) is the picture's middle.
+EyePicture eyePicture(glm::dvec3 eye, const OrthoView& view, double focalPx) {
+    return {eye, view.forward * focalPx, view.right, view.up};
+}
+
+TEST_F(RayPackets, OfAnEyesPicture) {
+    std::mt19937 random(5);
+    std::size_t pictures = 0;
+    for (const DenseModel& model : models()) {
+        const NaiveOctree tree(model);
+        const glm::dvec3 middle = glm::dvec3(model.size) / 2.0;
+        const double radius = glm::length(middle);
+        for (std::size_t n = 0; n < 8; ++n) {
+            const OrthoView view =
+                n % 2 == 0 ? randomView(random, 1) : viewAlong(canonicalDirections()[n], 1);
+            // From within, near and far.
+            const double away = radius * (n % 4 == 0   ? 0.3
+                                          : n % 4 == 1 ? 1.05
+                                          : n % 4 == 2 ? 2.7
+                                                       : 40.0);
+            EyePicture seen = eyePicture(middle - view.forward * away, view, 40.0 * away / radius);
+            if (n % 3 == 0) seen.perRow += seen.perColumn * 0.4;  // pixels are no squares
+            const glm::ivec2 size = n % 5 == 0 ? glm::ivec2(37, 19) : glm::ivec2(64);
+            for (const glm::ivec2 corner : {-size / 2, glm::ivec2(0), glm::ivec2(-70, 10)}) {
+                ++pictures;
+                expectScalar(tree.view(), seen, corner, size, kMaxOctreeDepth,
+                             model.name + " " + std::to_string(n));
+                if (HasFatalFailure()) return;
+            }
+        }
+    }
+    EXPECT_EQ(together_, pictures * targets_.size());
+    EXPECT_GT(solid_, 50'000u);
+    EXPECT_GT(inside_, 1000u);
+}
+
+TEST_F(RayPackets, OfAnEyesPictureInCutTrees) {
+    std::mt19937 random(6);
+    const DenseModel model = randomVoxels({20, 12, 17}, 0.1, 6);
+    const NaiveOctree live(model, 7, glm::ivec3(40, 9, 77));
+    for (const int maxDepth : {kMaxOctreeDepth, 6, 5, 1, 0}) {
+        const OrthoView view = randomView(random, 1);
+        const glm::dvec3 eye = glm::dvec3(model.size) / 2.0 - view.forward * 40.0;
+        expectScalar(live.view(), eyePicture(eye, view, 60), {-24, -32}, {48, 64}, maxDepth,
+                     "depth " + std::to_string(maxDepth));
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(together_, 3u);
+}
+
+// What is no picture, or too skewed a one to be told from none, is cast ray by ray.
+TEST_F(RayPackets, OfWhatIsNoPicture) {
+    std::mt19937 random(7);
+    const DenseModel model = randomVoxels({20, 20, 20}, 0.1, 7);
+    const NaiveOctree tree(model);
+    const OrthoView view = randomView(random, 1);
+    const EyePicture fine = eyePicture(glm::dvec3(10) - view.forward * 30.0, view, 30);
+    EyePicture flat = fine, still = fine, broken = fine, skewed = fine;
+    flat.perRow = flat.perColumn;
+    still.perColumn = glm::dvec3(0.0);
+    broken.first.x = std::numeric_limits<double>::infinity();
+    skewed.perRow = skewed.perColumn + view.up * 1e-13;
+    for (const EyePicture& none : {flat, still, broken, skewed}) {
+        expectScalar(tree.view(), none, {-16, -16}, {32, 32}, kMaxOctreeDepth, "no picture");
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_EQ(together_, 0u);
 }
 
 // Rays that are no picture are cast one by one: the same hits.
