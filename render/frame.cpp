@@ -99,6 +99,15 @@ void Frame::beginWords(Rgba8 background) {
     glClearBufferfv(GL_DEPTH, 0, &kFarthest);
 }
 
+void Frame::set(const Image& picture) {
+    if (glm::ivec2(picture.width, picture.height) != sizePx_) return;
+    std::vector<Rgba8> rows = picture.pixels;
+    flipRows(rows, sizePx_.x);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTextureSubImage2D(colour_.id(), 0, 0, 0, sizePx_.x, sizePx_.y, GL_RGBA, GL_UNSIGNED_BYTE,
+                        rows.data());
+}
+
 Image Frame::readColour() const {
     Image image(sizePx_.x, sizePx_.y);
     const auto bytes = static_cast<GLsizei>(image.pixels.size() * sizeof(Rgba8));

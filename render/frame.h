@@ -26,6 +26,8 @@ class Frame {
     // does not compute with them.
     void beginWords(Rgba8 background);
     void bindWords();
+    // Shows a picture of its very size, top row first; depths stay as they are.
+    void set(const Image& picture);
     [[nodiscard]] glm::ivec2 sizePx() const { return sizePx_; }
     // Rows bottom first, as GL has them: show it flipped.
     [[nodiscard]] std::uint32_t colourTexture() const { return colour_.id(); }

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "render/gl/draw_state.h"
-#include "render/gl/program.h"
+#include "render/gl/lazy_program.h"
 #include "render/gpu_blocks.h"
 
 namespace voxprite {
@@ -85,8 +85,8 @@ void OverlayShapes::addBox(std::span<const glm::dvec3, 8> cornersInOctantOrder, 
 }
 
 struct Overlay::Impl {
-    gl::Program lineProgram;
-    gl::Program triangleProgram;
+    gl::LazyProgram lineProgram{"overlay_line.vert", "overlay_line.frag"};
+    gl::LazyProgram triangleProgram{"overlay_triangle.vert", "overlay_triangle.frag"};
     VertexStream lines;
     VertexStream triangles;
     gl::UniformBuffer block;
@@ -113,7 +113,7 @@ struct Overlay::Impl {
         }
         if (vertices.empty()) return;
         triangles.set(vertices);
-        gl::useProgram(triangleProgram);
+        triangleProgram.useOrSay();
         glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
     }
 
@@ -130,7 +130,7 @@ struct Overlay::Impl {
         }
         if (instances.empty()) return;
         lines.set(instances);
-        gl::useProgram(lineProgram);
+        lineProgram.useOrSay();
         glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(instances.size()));
     }
 
@@ -157,19 +157,7 @@ void Overlay::draw(Frame& frame, const OverlayShapes& shapes, const Camera& came
     impl_->pass(shapes, camera, gl::DepthTest::nearerOrEqual, 1.0f);
 }
 
-Result<Overlay> Overlay::create() {
-    auto impl = std::make_unique<Impl>();
-    Result<gl::Program> line = gl::compileProgram("overlay_line.vert", "overlay_line.frag");
-    if (!line) return tl::unexpected(line.error());
-    Result<gl::Program> triangle =
-        gl::compileProgram("overlay_triangle.vert", "overlay_triangle.frag");
-    if (!triangle) return tl::unexpected(triangle.error());
-    impl->lineProgram = std::move(*line);
-    impl->triangleProgram = std::move(*triangle);
-    return Overlay(std::move(impl));
-}
-
-Overlay::Overlay(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Overlay::Overlay() : impl_(std::make_unique<Impl>()) {}
 Overlay::~Overlay() = default;
 Overlay::Overlay(Overlay&&) noexcept = default;
 Overlay& Overlay::operator=(Overlay&&) noexcept = default;

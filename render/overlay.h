@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "core/base/result.h"
 #include "core/sprite/camera.h"
 #include "render/frame.h"
 
@@ -37,7 +36,7 @@ enum class OverlayDepth : std::uint8_t {
 
 class Overlay {
   public:
-    [[nodiscard]] static Result<Overlay> create();
+    Overlay();  // needs a current GL 4.5 context
     ~Overlay();
     Overlay(Overlay&&) noexcept;
     Overlay& operator=(Overlay&&) noexcept;
@@ -45,7 +44,6 @@ class Overlay {
 
   private:
     struct Impl;
-    explicit Overlay(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };
 

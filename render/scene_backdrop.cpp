@@ -17,12 +17,9 @@ namespace voxprite {
 
 namespace {
 
-constexpr float kHazeMetres = 90.0f;
 constexpr double kGridPeriodMetres = 10.0;
 constexpr double kBlobReach = 1.25;  // of the model's footprint
 constexpr double kBlobStrength = 0.55;
-const glm::vec4 kSkyZenith(0.36f, 0.55f, 0.78f, 1.0f);
-const glm::vec4 kSkyHorizon(0.80f, 0.86f, 0.88f, 1.0f);
 
 struct BackdropBlock {
     glm::dvec4 ground_rise{0.0};
@@ -94,17 +91,6 @@ std::optional<BlobBlock> blobUnder(const PlacedEntity& placed, const Ground& gro
 
 }  // namespace
 
-Result<SceneBackdrop> SceneBackdrop::create() {
-    Result<gl::Program> plane = gl::compileProgram("fullscreen.vert", "scene_backdrop.frag");
-    if (!plane) return tl::unexpected(plane.error());
-    Result<gl::Program> blob = gl::compileProgram("shadow_blob.vert", "shadow_blob.frag");
-    if (!blob) return tl::unexpected(blob.error());
-    SceneBackdrop backdrop;
-    backdrop.plane_ = std::move(*plane);
-    backdrop.blob_ = std::move(*blob);
-    return backdrop;
-}
-
 void SceneBackdrop::draw(const Scene& scene, const Camera& camera) {
     if (isEmpty(scene)) return;
     glBindVertexArray(nothing_.id());
@@ -137,7 +123,7 @@ void SceneBackdrop::drawPlane(const Scene& scene, const Camera& camera) {
     block.sky_shown = scene.sky ? 1 : 0;
     backdropBlock_.set(BlockBinding::backdrop, block);
     gl::apply({.depthWrite = true});
-    gl::useProgram(plane_);
+    plane_.useOrSay();
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
@@ -154,7 +140,7 @@ void SceneBackdrop::drawBlobs(const Scene& scene, const Camera& camera) {
     if (blobs.empty()) return;
     blobs_.set(BufferBinding::blobs, std::span<const BlobBlock>(blobs));
     gl::apply({.blend = true});
-    gl::useProgram(blob_);
+    blob_.useOrSay();
     glDrawArraysInstanced(GL_TRIANGLES, 0, 6, static_cast<GLsizei>(blobs.size()));
 }
 

@@ -100,8 +100,7 @@ struct SceneRenderer::Impl {
     // The batch, on the GPU too, is all that the look before saw, to be drawn in this way.
     std::optional<SpriteMode> held;
 
-    Impl(SpriteCaster spriteCaster, SceneBackdrop sceneBackdrop, const AtlasLimits& limits)
-        : caster(std::move(spriteCaster)), backdrop(std::move(sceneBackdrop)), atlas(limits) {}
+    explicit Impl(const AtlasLimits& limits) : atlas(limits) {}
 
     void begin(Pass& pass);
     [[nodiscard]] Status drawSprites(Pass& pass);
@@ -365,13 +364,7 @@ Result<SceneRenderer> SceneRenderer::create(const AtlasLimits& limits) {
     if (const Status fits = SpriteAtlas::checkLimits(limits); !fits) {
         return tl::unexpected(fits.error());
     }
-    Result<SpriteCaster> caster = SpriteCaster::create();
-    if (!caster) return tl::unexpected(caster.error());
-    Result<SceneBackdrop> backdrop = SceneBackdrop::create();
-    if (!backdrop) return tl::unexpected(backdrop.error());
-    auto impl = std::make_unique<Impl>(std::move(*caster), std::move(*backdrop), limits);
-    if (const Status ready = impl->blit.use(kPlain); !ready) return tl::unexpected(ready.error());
-    return SceneRenderer(std::move(impl));
+    return SceneRenderer(std::make_unique<Impl>(limits));
 }
 
 SceneRenderer::SceneRenderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -76,16 +76,6 @@ SpriteTextures::SpriteTextures(glm::ivec2 size, bool withIds)
     glNamedFramebufferDrawBuffers(framebuffer.id(), withIds ? 2 : 1, targets);
 }
 
-Result<SpriteCaster> SpriteCaster::create() {
-    SpriteCaster caster;
-    for (SpriteProgram* program : {&caster.cast_, &caster.outline_}) {
-        if (const Status compiled = program->use(kPlain); !compiled) {
-            return tl::unexpected(compiled.error());
-        }
-    }
-    return caster;
-}
-
 Status SpriteCaster::checkSize(glm::ivec2 size) {
     GLint limit = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);

@@ -37,8 +37,6 @@ struct CastJob {
 
 class SpriteCaster {
   public:
-    [[nodiscard]] static Result<SpriteCaster> create();
-
     // A buffer of this size as one texture each: fails beyond the driver's limit.
     [[nodiscard]] static Status checkSize(glm::ivec2 size);
 

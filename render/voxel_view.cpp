@@ -3,8 +3,11 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <map>
+#include <optional>
 
 #include "render/cluster_pass.h"
 #include "render/gl/draw_state.h"
@@ -101,28 +104,58 @@ int leafLevel(const GpuOctree& octree, const VoxelViewOptions& options) {
     return std::clamp(octree.maxDepth() - options.maxDepth, 0, octree.maxDepth());
 }
 
-// Half-lambert (Valve 2004): faces turned away keep their shape. One value for each face.
+}  // namespace
+
 float halfLambert(glm::dvec3 normal, glm::dvec3 towardLight, double ambient) {
     const double wrapped = 0.5 + 0.5 * glm::dot(normal, towardLight);
     return static_cast<float>(ambient + (1.0 - ambient) * wrapped * wrapped);
 }
 
+namespace {
+
+// What a program is compiled with, as a sum.
+using Variants = unsigned;
+constexpr Variants kPlain = 0;
+constexpr Variants kSunShadow = 1;   // voxels stand in the light
+constexpr Variants kFaceShade = 2;   // faces cast rays of their own
+constexpr Variants kDepthLimit = 4;  // to a depth above the voxels
+constexpr Variants kMarked = 8;      // no light: covered by a tint
+
+// A program in all variants, each compiled when it is first used.
+class VariantProgram {
+  public:
+    VariantProgram(std::string vertex, std::string fragment)
+        : vertex_(std::move(vertex)), fragment_(std::move(fragment)) {}
+    void useOrSay(Variants variants) {
+        const auto found = programs_.find(variants);
+        if (found != programs_.end()) return found->second.useOrSay();
+        std::vector<std::string> defines;
+        if ((variants & kSunShadow) != 0) defines.emplace_back("SUN_SHADOW");
+        if ((variants & kFaceShade) != 0) defines.emplace_back("FACE_SHADE");
+        if ((variants & kDepthLimit) != 0) defines.emplace_back("DEPTH_LIMIT");
+        if ((variants & kMarked) != 0) defines.emplace_back("MARKED");
+        programs_.try_emplace(variants, vertex_, fragment_, std::move(defines))
+            .first->second.useOrSay();
+    }
+
+  private:
+    std::string vertex_, fragment_;
+    std::map<Variants, gl::LazyProgram> programs_;
+};
+
+Variants lookVariants(const VoxelViewOptions& options) {
+    return (options.shadow ? kSunShadow : kPlain) | (facesCastRays(options) ? kFaceShade : kPlain);
+}
+
 }  // namespace
 
 struct VoxelView::Impl {
-    // The first two are in every picture; the others wait until they are asked for.
-    gl::LazyProgram voxels{"voxel_view.vert", "voxel_view.frag"};
-    gl::LazyProgram backdrop{"fullscreen.vert", "voxel_backdrop.frag"};
-    // Faces cast rays of their own; the same, to a depth above the voxels.
-    gl::LazyProgram shadedVoxels{"voxel_view.vert", "voxel_view.frag", {"FACE_SHADE"}};
-    gl::LazyProgram limitedVoxels{
-        "voxel_view.vert", "voxel_view.frag", {"DEPTH_LIMIT", "FACE_SHADE"}};
-    // No light: covered by a tint.
-    gl::LazyProgram markedVoxels{"voxel_view.vert", "voxel_view.frag", {"MARKED"}};
-    gl::LazyProgram clusterVoxels{"cluster_view.vert", "cluster_view.frag"};
-    gl::LazyProgram shadedClusterVoxels{"cluster_view.vert", "cluster_view.frag", {"FACE_SHADE"}};
+    VariantProgram voxels{"voxel_view.vert", "voxel_view.frag"};
+    VariantProgram backdrop{"fullscreen.vert", "voxel_backdrop.frag"};
+    VariantProgram clusterVoxels{"cluster_view.vert", "cluster_view.frag"};
     gl::LazyProgram clusterDepth{"cluster_view.vert", "cluster_depth.frag"};
-    ClusterPass clusters;
+    std::optional<ClusterPass> clusters;  // once there are some
+    bool saidWhyNone = false;
     gl::VertexArray nothing = gl::createVertexArray();
     gl::UniformBuffer octreeBlock;
     gl::UniformBuffer viewBlock;
@@ -130,6 +163,8 @@ struct VoxelView::Impl {
     OcclusionRays occlusionRays;
     int marksPrepared = 0;  // of the two ways in which they are drawn
 
+    // False where the driver cannot draw them: rays do.
+    [[nodiscard]] bool canDrawClusters();
     void fillBox(VoxelViewBlock& block, const GpuOctree& octree, const PlacedEntity& placed,
                  const Camera& camera, const VoxelViewOptions& options) const;
     void fillRays(VoxelViewBlock& block, const RootSpace& space, const Camera& camera) const;
@@ -145,6 +180,18 @@ struct VoxelView::Impl {
                     const VoxelViewOptions& options, const gl::DrawState& state);
     void drawMarked(const Marks& marks, bool hidden);
 };
+
+bool VoxelView::Impl::canDrawClusters() {
+    if (clusters || saidWhyNone) return clusters.has_value();
+    Result<ClusterPass> created = ClusterPass::create();
+    if (created) {
+        clusters = std::move(*created);
+    } else {
+        saidWhyNone = true;
+        std::fprintf(stderr, "%s\n", created.error().describe().c_str());
+    }
+    return clusters.has_value();
+}
 
 void VoxelView::Impl::fillBox(VoxelViewBlock& block, const GpuOctree& octree,
                               const PlacedEntity& placed, const Camera& camera,
@@ -270,10 +317,9 @@ void VoxelView::Impl::drawVoxels(const GpuOctree& octree, const Palette& colours
     setPalette(colours, space, options);
     bindTexture(TextureUnit::palette, palette.texture());
     gl::apply(state);
-    gl::LazyProgram& program = leafLevel(octree, options) > 0 ? limitedVoxels
-                               : facesCastRays(options)       ? shadedVoxels
-                                                              : voxels;
-    program.useOrSay();
+    // One limited in depth is rare: in all others' shade, it needs no variants of its own.
+    const bool limited = leafLevel(octree, options) > 0;
+    voxels.useOrSay(lookVariants(options) | (limited ? kDepthLimit | kFaceShade : kPlain));
     glDrawArrays(GL_TRIANGLES, 0, 36);
 }
 
@@ -284,7 +330,7 @@ void VoxelView::Impl::drawClusters(const GpuOctree& octree, const Palette& colou
     setPalette(colours, RootSpace(octree, placed, camera), options);
     bindTexture(TextureUnit::palette, palette.texture());
     const ClusterPass::Instance instance{options.clusters, placed, {}};
-    clusters.choose(
+    clusters->choose(
         {&instance, 1}, camera,
         {.budgetPx = options.clusterBudgetPx, .levelTint = options.tintLevels ? kLevelTint : 0.0f});
     // Depth first, so that what is hidden is not shaded.
@@ -293,10 +339,10 @@ void VoxelView::Impl::drawClusters(const GpuOctree& octree, const Palette& colou
                .colourWrite = false,
                .cull = gl::Cull::backFaces});
     clusterDepth.useOrSay();
-    clusters.draw();
+    clusters->draw();
     gl::apply({.depthTest = gl::DepthTest::nearerOrEqual, .cull = gl::Cull::backFaces});
-    (facesCastRays(options) ? shadedClusterVoxels : clusterVoxels).useOrSay();
-    clusters.draw();
+    clusterVoxels.useOrSay(lookVariants(options));
+    clusters->draw();
 }
 
 void VoxelView::draw(Frame& frame, const GpuOctree& octree, const Palette& palette,
@@ -305,9 +351,9 @@ void VoxelView::draw(Frame& frame, const GpuOctree& octree, const Palette& palet
     frame.begin(options.backgroundBottom);
     impl_->setView(octree, placed, camera, options, {});
     gl::apply({});
-    impl_->backdrop.useOrSay();
+    impl_->backdrop.useOrSay(options.shadow ? kSunShadow : kPlain);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    if (options.clusters != nullptr) {
+    if (options.clusters != nullptr && impl_->canDrawClusters()) {
         impl_->drawClusters(octree, palette, placed, camera, options);
         return;
     }
@@ -342,7 +388,7 @@ void VoxelView::Impl::drawMarked(const Marks& marks, bool hidden) {
     gl::apply({.depthTest = hidden ? gl::DepthTest::behind : gl::DepthTest::nearer,
                .blend = true,
                .cull = gl::Cull::frontFaces});
-    markedVoxels.useOrSay();
+    voxels.useOrSay(kMarked);
     glDrawArrays(GL_TRIANGLES, 0, 36);
 }
 
@@ -367,11 +413,6 @@ bool VoxelView::prepareMarks(const GpuOctree& octree, const PlacedEntity& placed
 
 Result<VoxelView> VoxelView::create() {
     auto impl = std::make_unique<Impl>();
-    if (Status used = impl->voxels.use(); !used) return tl::unexpected(used.error());
-    if (Status used = impl->backdrop.use(); !used) return tl::unexpected(used.error());
-    Result<ClusterPass> clusters = ClusterPass::create();
-    if (!clusters) return tl::unexpected(clusters.error());
-    impl->clusters = std::move(*clusters);
     return VoxelView(std::move(impl));
 }
 

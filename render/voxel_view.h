@@ -40,6 +40,10 @@ struct VoxelViewOptions {
     int maxDepth = kMaxOctreeDepth;
 };
 
+// How light a face is in the softer light: half-lambert (Valve 2004), so that faces turned away
+// keep their shape. Both directions of length 1, in one space; one value for each face.
+[[nodiscard]] float halfLambert(glm::dvec3 normal, glm::dvec3 towardLight, double ambient);
+
 class VoxelView {
   public:
     [[nodiscard]] static Result<VoxelView> create();  // needs a current GL 4.5 context

@@ -2,7 +2,9 @@
 
 #include "shared/octree_block.glsl"
 #include "shared/voxel_view.glsl"
+#ifdef SUN_SHADOW
 #include "shared/voxel_walk.glsl"
+#endif
 #include "shared/grid.glsl"
 
 layout(location = 0) out vec4 colour;
@@ -29,12 +31,14 @@ void main() {
     float coarse = gridCoverage(position, 8.0, 0.06, footprint);
     // Seen from below the plane must not stand before the model.
     float strength = origin.z + direction.z * near_metres > grid_height ? 1.0 : 0.35;
+#ifdef SUN_SHADOW
     if (sun.w > 0.0 && sun.z > 0.0) {
         Cursor cursor;
         if (castRay(vec3(hit, grid_height), sun.xyz, 0.0, cursor).material != 0u) {
             colour.rgb *= 1.0 - 0.6 * sun.w * strength;
         }
     }
+#endif
     if (grid_shown == 0) return;
     colour.rgb = mix(colour.rgb, grid_colour.rgb,
                      grid_colour.a * strength * fade * max(fine, coarse));

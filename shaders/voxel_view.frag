@@ -7,6 +7,7 @@
 
 layout(location = 0) out vec4 colour;
 
+#ifdef MARKED
 // Of a line between two faces that are both seen.
 const float ghost_crease = 0.25;
 
@@ -16,8 +17,9 @@ const float ghost_crease = 0.25;
 float outline(Hit hit, vec3 direction, vec2 position, vec2 footprint, inout Cursor cursor) {
     ivec3 u = hit.axis == 0 ? ivec3(0, 1, 0) : ivec3(1, 0, 0);
     ivec3 v = hit.axis == 2 ? ivec3(0, 1, 0) : ivec3(0, 0, 1);
-    vec2 low = 1.0 - vec2(solidAt(hit.cell - u, cursor), solidAt(hit.cell - v, cursor));
-    vec2 high = 1.0 - vec2(solidAt(hit.cell + u, cursor), solidAt(hit.cell + v, cursor));
+    uint solid = solidAround(hit.cell, u, v, 0xAAu, cursor);
+    vec2 low = 1.0 - vec2(bitOf(solid, 3), bitOf(solid, 1));
+    vec2 high = 1.0 - vec2(bitOf(solid, 5), bitOf(solid, 7));
     vec2 toward = hit.axis == 0 ? direction.yz : hit.axis == 1 ? direction.xz : direction.xy;
     low *= mix(vec2(1.0), vec2(ghost_crease), greaterThan(toward, vec2(0.0)));
     high *= mix(vec2(1.0), vec2(ghost_crease), lessThan(toward, vec2(0.0)));
@@ -27,6 +29,7 @@ float outline(Hit hit, vec3 direction, vec2 position, vec2 footprint, inout Curs
                     high * clamp(ghost_outline_px + 0.5 - end_px, 0.0, 1.0));
     return max(line.x, line.y);
 }
+#endif
 
 vec4 ghostColour(vec3 shaded, float line) {
     vec4 tinted = vec4(mix(shaded, ghost_tint.rgb, ghost_mixed), ghost_tint.a);
@@ -52,9 +55,12 @@ void main() {
 #endif
     gl_FragDepth = depthAt(hit.t);
     if (ghost_tint.a > 0.0) {
-        float line = ghost_outline_px > 0.0
-                         ? outline(hit, direction, point.position, point.footprint, cursor)
-                         : 0.0;
+        float line = 0.0;
+#ifdef MARKED
+        if (ghost_outline_px > 0.0) {
+            line = outline(hit, direction, point.position, point.footprint, cursor);
+        }
+#endif
         colour = ghostColour(colour.rgb, line);
         gl_FragDepth = min(1.0, gl_FragDepth * ghost_nearer);
     }

@@ -43,6 +43,8 @@ void addEdit(CLI::App& app, Command& command) {
     addPath("--frame-times", options->frameTimes, "FILE",
             "Write how long the window's thread was busy in the longest frames of each stretch "
             "that the script marks");
+    addPath("--start-times", options->startTimes, "FILE",
+            "Write when the parts of the start were done, up to the first frames");
     addParsed(sub, "--window", "WxH", "The window's size at content scale 1", sizeFrom,
               [options](glm::ivec2 size) { options->windowPx = size; });
     sub.add_option_function<double>(

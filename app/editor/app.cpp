@@ -18,6 +18,7 @@
 namespace voxprite::editor {
 namespace {
 
+constexpr int kViews = 2;
 constexpr double kCommandSeconds = 0.04;  // of a frame, for what was asked for
 
 }  // namespace
@@ -255,8 +256,19 @@ void App::renderViews() {
     if (changes.any() || octree_.size() != view.size) octree_.update(view, changes);
     clock_.end(FramePart::upload);
 
-    bool drew = voxels_.render(session_, octree_, settings_);
-    const Result<bool> sprite = sprite_.render(session_, octree_, settings_);
+    bool drew = true;
+    if (viewsByGl_ > 0) {
+        drew = voxels_.render(session_, octree_, settings_);
+    } else {
+        voxels_.renderFirst(session_, settings_);
+    }
+    Result<bool> sprite = true;
+    if (viewsByGl_ > 1) {
+        sprite = sprite_.render(session_, octree_, settings_);
+    } else {
+        sprite_.renderFirst(session_);
+    }
+    if (viewsByGl_ < kViews && !files_.isWorking()) ++viewsByGl_;
     if (!sprite) {
         toasts_.error(sprite.error().describe());
     } else {
@@ -320,6 +332,7 @@ std::string App::openDialog() const {
 
 bool App::animates() const {
     if (sprite_.animates(settings_) || files_.isWorking() || commands_.any()) return true;
+    if (viewsByGl_ < kViews) return true;
     if (voxels_.turns() || voxels_.prepares() || sprite_.turns()) return true;
     if (voxels_.tools().previewsLater() || overlays_.sheet.working()) return true;
     if (looksAtTrade() && study_.busy()) return true;

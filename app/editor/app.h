@@ -130,6 +130,9 @@ class App {
     std::optional<double> editStart_;
     std::uint64_t shownModel_ = 0;
     FrameClock clock_;
+    // How many of both views OpenGL draws: none until the first document is on the screen, then one
+    // more each frame, as their programs are made ready one after the other.
+    int viewsByGl_ = 0;
     struct CameraPair {
         OrbitCamera edit, sprite;
     } before_;  // of the frame before, to see which one was moved

@@ -1,13 +1,16 @@
 #include "app/editor/editor.h"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
+#include <iterator>
 #include <memory>
 
 #include "app/editor/app.h"
 #include "app/editor/window/frame_report.h"
 #include "app/editor/window/imgui_host.h"
 #include "app/editor/window/play_script.h"
+#include "app/editor/window/start_times.h"
 #include "core/base/file.h"
 #include "core/io/formats.h"
 #include "core/io/png.h"
@@ -47,8 +50,9 @@ class Replay {
 
 class Editor {
   public:
-    Editor(const EditorOptions& options, Window& window, ImGuiHost& host, App& app)
-        : options_(options), window_(window), host_(host), app_(app) {}
+    Editor(const EditorOptions& options, Window& window, ImGuiHost& host, App& app,
+           StartTimes& startTimes)
+        : options_(options), window_(window), host_(host), app_(app), startTimes_(startTimes) {}
 
     [[nodiscard]] Status run();
     [[nodiscard]] Status startReplay();
@@ -64,6 +68,7 @@ class Editor {
     Window& window_;
     ImGuiHost& host_;
     App& app_;
+    StartTimes& startTimes_;
     std::optional<Replay> replay_;
     std::ofstream recording_;
     FrameReport times_;
@@ -147,6 +152,10 @@ Status Editor::oneFrame() {
     }
     screenshots_.clear();
     window_.swapBuffers();
+    constexpr std::array kFirstFrames{"first frame", "second frame", "third frame"};
+    if (frame_ < std::ssize(kFirstFrames)) {
+        startTimes_.mark(kFirstFrames[static_cast<std::size_t>(frame_)]);
+    }
     app_.clock().finish();
     // The first frame sets up fonts and shaders, whatever is to be seen.
     if (frame_ == 0) app_.clock().forget();
@@ -171,6 +180,9 @@ Status Editor::run() {
         if (Status drawn = oneFrame(); !drawn) return drawn;
         ++frame_;
         unsettled_ = std::max(0, unsettled_ - 1);
+    }
+    if (options_.startTimes) {
+        if (Status written = startTimes_.write(*options_.startTimes); !written) return written;
     }
     return options_.frameTimes ? times_.write(*options_.frameTimes, app_.clock()) : Status();
 }
@@ -200,12 +212,17 @@ Status runEditor(const EditorOptions& options) {
 
     WindowPlace place = settings.window.place;
     if (options.windowPx) place = {.width = options.windowPx->x, .height = options.windowPx->y};
+    StartTimes startTimes;
+    startTimes.mark("program");
+    // Its fonts are laid out while the driver makes the window's context.
+    ImGuiHost host(ImGuiHost::scaleOf(options.contentScale.value_or(1.0), settings.window));
     Result<Window> window = Window::open("voxprite", place, options.contentScale);
     if (!window) return Failure(window.error());
-    Result<ImGuiHost> host = ImGuiHost::create(*window);
-    if (!host) return Failure(host.error());
+    startTimes.mark("window");
+    if (Status opened = host.open(*window); !opened) return opened;
     Result<std::unique_ptr<App>> app = App::create(settings, options.layoutDump);
     if (!app) return Failure(app.error());
+    startTimes.mark("interface");
     if (options.profile) {
         if (Status opened = (*app)->openProfileAtStart(*options.profile); !opened) return opened;
     }
@@ -225,7 +242,8 @@ Status runEditor(const EditorOptions& options) {
             (*app)->say("No copies of unsaved work are kept: " + kept.error().describe());
         }
     }
-    Editor editor(options, *window, *host, **app);
+    startTimes.mark("document");
+    Editor editor(options, *window, host, **app, startTimes);
     if (Status started = editor.startReplay(); !started) return started;
     if (Status ran = editor.run(); !ran) return ran;
     if ((*app)->quits()) (*app)->dropCopies();

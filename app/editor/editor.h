@@ -32,6 +32,8 @@ struct EditorOptions {
     // Where the window's thread spent the longest frames of each stretch that the script marks
     // (window/frame_report.h) is written here at the end.
     std::optional<std::filesystem::path> frameTimes;
+    // When the parts of the start were done (window/start_times.h) is written here at the end.
+    std::optional<std::filesystem::path> startTimes;
 };
 
 // Returns when the user closes the window. Fails when there is no display, no OpenGL 4.5, or a

@@ -41,6 +41,21 @@ float solidAt(ivec3 cell, inout Cursor cursor) {
     return regionAt(cell, cursor).material != 0u ? 1.0 : 0.0;
 }
 
+// Which cells around `middle` are solid, of those wanted: a bit each, row by row along u, then v.
+// Looked up in one place: drivers take long to compile the same again and again.
+uint solidAround(ivec3 middle, ivec3 u, ivec3 v, uint wanted, inout Cursor cursor) {
+    uint solid = 0u;
+    for (int k = 0; k < 9; ++k) {
+        if (((wanted >> k) & 1u) == 0u) continue;
+        if (solidAt(middle + u * (k % 3 - 1) + v * (k / 3 - 1), cursor) > 0.0) solid |= 1u << k;
+    }
+    return solid;
+}
+
+float bitOf(uint bits, int k) {
+    return float((bits >> k) & 1u);
+}
+
 float cornerOcclusion(float side_a, float side_b, float corner) {
     return side_a * side_b > 0.0 ? 1.0 : (side_a + side_b + corner) / 3.0;
 }
@@ -51,21 +66,23 @@ float cornerShade(Hit hit, bool faces_up, vec2 position, inout Cursor cursor) {
     ivec3 front = hit.cell + (faces_up ? unit : -unit);
     ivec3 u = hit.axis == 0 ? ivec3(0, 1, 0) : ivec3(1, 0, 0);
     ivec3 v = hit.axis == 2 ? ivec3(0, 1, 0) : ivec3(0, 0, 1);
-    float left = solidAt(front - u, cursor);
-    float right = solidAt(front + u, cursor);
-    float below = solidAt(front - v, cursor);
-    float above = solidAt(front + v, cursor);
-    vec4 corners = vec4(cornerOcclusion(left, below, solidAt(front - u - v, cursor)),
-                        cornerOcclusion(right, below, solidAt(front + u - v, cursor)),
-                        cornerOcclusion(left, above, solidAt(front - u + v, cursor)),
-                        cornerOcclusion(right, above, solidAt(front + u + v, cursor)));
+    uint solid = solidAround(front, u, v, 0x1EFu, cursor);
+    float left = bitOf(solid, 3);
+    float right = bitOf(solid, 5);
+    float below = bitOf(solid, 1);
+    float above = bitOf(solid, 7);
+    vec4 corners = vec4(cornerOcclusion(left, below, bitOf(solid, 0)),
+                        cornerOcclusion(right, below, bitOf(solid, 2)),
+                        cornerOcclusion(left, above, bitOf(solid, 6)),
+                        cornerOcclusion(right, above, bitOf(solid, 8)));
     vec2 at = fract(position);
     vec2 rows = mix(corners.xz, corners.yw, at.x);
     return mix(rows.x, rows.y, at.y);
 }
 
-// FACE_SHADE: faces cast rays of their own. Compiled in only where it is asked for: a rasteriser
-// that runs lanes together pays for what they skip, too.
+// FACE_SHADE: faces cast rays of their own; SUN_SHADOW: they look for the sun. Compiled in only
+// where it is asked for: a rasteriser that runs lanes together pays for what they skip, too, and
+// drivers take long to compile a walk through the octree.
 #ifdef FACE_SHADE
 // The share of the face's short rays that are blocked.
 float blockedShare(ivec3 cell, int axis, ivec3 outward, inout Cursor cursor) {
@@ -138,6 +155,7 @@ vec3 voxelColour(Hit hit, FacePoint point, inout Cursor cursor) {
     vec3 base = texelFetch(palette_texture, ivec2(int(hit.material), row), 0).rgb;
     float light = point.faces_up ? face_light[hit.axis].x : face_light[hit.axis].y;
     float large = max(point.footprint.x, point.footprint.y);
+#ifdef SUN_SHADOW
     ivec3 unit = axisUnit(hit.axis);
     // What looks away from the sun is in its own shade already.
     bool sunlit = along(sun.xyz, hit.axis) * (point.faces_up ? 1.0 : -1.0) > 0.0;
@@ -145,6 +163,7 @@ vec3 voxelColour(Hit hit, FacePoint point, inout Cursor cursor) {
         inShadow(point.at, hit.cell + (point.faces_up ? unit : -unit), cursor)) {
         light *= 1.0 - sun.w;
     }
+#endif
     if (occlusion_shown != 0 && large < 1.0) {
 #ifdef FACE_SHADE
         float lost =

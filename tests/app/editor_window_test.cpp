@@ -297,6 +297,62 @@ TEST_F(EditorInAWindow, ScreenshotsAtAllSizesShowEveryPart) {
     }
 }
 
+// Before OpenGL's programs are ready, the processor casts both views (first_pictures.h).
+TEST_F(EditorInAWindow, ItsFirstFrameShowsTheModelInBothViews) {
+    ASSERT_NO_FATAL_FAILURE(startDisplay(kScreen));
+    ASSERT_TRUE(saveDocument(file("box.vox"), busyDocument(), GameProfile{}));
+    const auto shotOf = [&](std::vector<std::string> arguments, const char* frames) {
+        const std::vector<std::string> more{"--window",        "1280x800",
+                                            "--content-scale", "1",
+                                            "--frames",        frames,
+                                            "--screenshot",    file("shot.png").string(),
+                                            "--dump-layout",   file("layout.json").string()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        EXPECT_EQ(EditorWindow::runEditor(arguments), 0) << said();
+        return readPngFile(file("shot.png")).value_or(Image{});
+    };
+    const Image empty = shotOf({}, "1");
+    const Image first = shotOf({file("box.vox").string()}, "1");
+    const Image drawn = shotOf({file("box.vox").string()}, "4");
+    ASSERT_EQ(first.pixels.size(), drawn.pixels.size());
+    ASSERT_EQ(first.pixels.size(), empty.pixels.size());
+    for (const char* view : {"view.edit", "view.sprite"}) {
+        const auto rect = layout().at("items").at(view).get<std::vector<int>>();
+        int model = 0, same = 0;
+        for (int y = rect[1]; y < rect[3]; ++y)
+            for (int x = rect[0]; x < rect[2]; ++x) {
+                if (first.at(x, y) == empty.at(x, y)) continue;
+                ++model;
+                const glm::ivec4 off =
+                    glm::abs(glm::ivec4(first.at(x, y)) - glm::ivec4(drawn.at(x, y)));
+                // Edges and shade come with the second frame.
+                const int most = std::string_view(view) == "view.edit" ? 90 : 0;
+                if (off.x <= most && off.y <= most && off.z <= most) ++same;
+            }
+        EXPECT_GT(model, 5000) << view;
+        EXPECT_GT(same, model * 9 / 10) << view;
+    }
+}
+
+TEST_F(EditorInAWindow, SaysHowLongItsStartTook) {
+    ASSERT_NO_FATAL_FAILURE(startDisplay(kScreen));
+    ASSERT_EQ(EditorWindow::runEditor({"--screenshot", file("shot.png").string(), "--frames", "3",
+                                       "--start-times", file("times.json").string()}),
+              0)
+        << said();
+    const Json times = Json::parse(std::ifstream(file("times.json")));
+    std::vector<std::string> parts;
+    double before = 0.0;
+    for (const Json& mark : times) {
+        parts.push_back(mark.at("part").get<std::string>());
+        EXPECT_GE(mark.at("at_ms").get<double>(), before);
+        before = mark.at("at_ms").get<double>();
+        EXPECT_GT(mark.at("cpu_ms").get<double>(), 0.0);
+    }
+    EXPECT_EQ(parts, (std::vector<std::string>{"program", "window", "interface", "document",
+                                               "first frame", "second frame", "third frame"}));
+}
+
 TEST_F(EditorInAWindow, FollowsTheDisplaysContentScale) {
     ASSERT_NO_FATAL_FAILURE(startDisplay({2560, 1600}));
     const auto toolWidth = [&](const std::string& scale) {

@@ -24,7 +24,7 @@ class Overlays : public test::GlTest {
             std::ranges::count_if(image.pixels, [](Rgba8 c) { return c.x > 0; }));
     }
     static Image drawn(const OverlayShapes& shapes, const Camera& camera) {
-        Overlay overlay = must(Overlay::create());
+        Overlay overlay;
         Frame frame(kViewport);
         frame.begin(kBlack);
         overlay.draw(frame, shapes, camera, OverlayDepth::test);
@@ -72,7 +72,7 @@ TEST_F(Overlays, DepthModes) {
     Camera camera = front();
     camera.eyeMetres = {0.0, 0.0, 4.0};
     VoxelView view = must(VoxelView::create());
-    Overlay overlay = must(Overlay::create());
+    Overlay overlay;
     Frame frame(kViewport);
     OverlayShapes shapes;
     shapes.lines.push_back({{-50.0, 0.1, -2.0}, {50.0, 0.1, -2.0}, {255, 0, 0, 255}, 3.0f});
@@ -106,7 +106,7 @@ TEST_F(Overlays, WhatLiesOnASurfaceIsSeenWhole) {
     Camera camera = front();
     camera.eyeMetres = {0.2, 0.1, 4.0};
     VoxelView view = must(VoxelView::create());
-    Overlay overlay = must(Overlay::create());
+    Overlay overlay;
     Frame frame(kViewport);
     view.draw(frame, cube.gpu, cube.palette, placed, camera, VoxelViewOptions{});
     // Two triangles right on the face toward the eye.

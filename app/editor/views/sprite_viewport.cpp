@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "app/editor/session/trade_study.h"
+#include "app/editor/views/first_pictures.h"
 #include "app/editor/views/socket_markers.h"
 #include "app/editor/views/sprite_picture.h"
 #include "app/editor/views/sprite_toolbar.h"
@@ -47,9 +48,7 @@ void add(SceneStats& sum, const SceneStats& stats) {
 Result<SpriteViewport> SpriteViewport::create() {
     Result<SceneRenderer> renderer = SceneRenderer::create();
     if (!renderer) return Failure(renderer.error());
-    Result<Overlay> overlay = Overlay::create();
-    if (!overlay) return Failure(overlay.error());
-    return SpriteViewport(std::move(*renderer), std::move(*overlay));
+    return SpriteViewport(std::move(*renderer));
 }
 
 glm::ivec2 SpriteViewport::cellPx() const {
@@ -166,6 +165,10 @@ void SpriteViewport::showAlone(Ui& ui, ViewInput& input) {
     ViewCanvas::navigate(input, camera_);
     if (showsSides(ui.settings.trade)) showSides(ui);
 
+    // In the first frame of all the camera does not know yet where it belongs.
+    if (drawnAt_ == std::chrono::steady_clock::time_point()) {
+        return canvas_.caption(ui, "Sprite", "");
+    }
     const Camera camera = camera_.camera(input.sizePx);
     if (ui.settings.trade.heat) heat_->show(ui, canvas_, input.pointerPx);
     if (ui.settings.view.anchorMarker) drawAnchor(ui, camera, ui.session.placedInGame());
@@ -293,6 +296,10 @@ Result<bool> SpriteViewport::renderCompared(const Session& session, const GpuOct
         &octree, &session.shownPalette(), session.placedInGame(), session.profile(),
         angles,  session.revision()};
     return compared_.render(renderer_, subject, *library_, settings, comparedPx_, gapPx_);
+}
+
+void SpriteViewport::renderFirst(const Session& session) {
+    canvas_.frame().set(firstSpritePicture(session, camera_.camera(canvas_.sizePx())));
 }
 
 Result<bool> SpriteViewport::render(const Session& session, const GpuOctree& octree,

@@ -31,6 +31,8 @@ class SpriteViewport {
     [[nodiscard]] static Result<SpriteViewport> create();  // needs the window's GL context
 
     void show(Ui& ui, ImVec2 min, ImVec2 size);
+    // The picture of the first frames (first_pictures.h), in place of render().
+    void renderFirst(const Session& session);
     // Draws the picture again if anything in it changed; true when it did.
     [[nodiscard]] Result<bool> render(const Session& session, const GpuOctree& octree,
                                       const EditorSettings& settings);
@@ -67,8 +69,7 @@ class SpriteViewport {
     [[nodiscard]] std::vector<Error> takeProblems() { return std::exchange(problems_, {}); }
 
   private:
-    SpriteViewport(SceneRenderer scene, Overlay overlay)
-        : renderer_(std::move(scene)), overlay_(std::move(overlay)) {}
+    explicit SpriteViewport(SceneRenderer scene) : renderer_(std::move(scene)) {}
     void showAlone(Ui& ui, ViewInput& input);
     void showCells(Ui& ui, ViewInput& input);
     void showRepresentations(Ui& ui, ViewInput& input);

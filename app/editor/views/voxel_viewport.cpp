@@ -6,6 +6,7 @@
 
 #include "app/editor/tools/guides.h"
 #include "app/editor/views/backdrop.h"
+#include "app/editor/views/first_pictures.h"
 #include "app/editor/views/socket_markers.h"
 #include "app/editor/views/view_drawing.h"
 
@@ -67,9 +68,7 @@ std::string hintOf(const ToolSettings& settings, EditMode mode, bool busy) {
 Result<VoxelViewport> VoxelViewport::create() {
     Result<VoxelView> view = VoxelView::create();
     if (!view) return Failure(view.error());
-    Result<Overlay> overlay = Overlay::create();
-    if (!overlay) return Failure(overlay.error());
-    return VoxelViewport(std::move(*view), std::move(*overlay));
+    return VoxelViewport(std::move(*view));
 }
 
 void VoxelViewport::frameModel(const Session& session) {
@@ -130,6 +129,12 @@ void VoxelViewport::follow(const Session& session, const EditorSettings& setting
                   .value_or(std::vector<OnionSkin::Ghost>());
     marked_ = selection_->follow(session);
     clusters_->follow(session, settings.view.drawBy);
+}
+
+void VoxelViewport::renderFirst(const Session& session, const EditorSettings& settings) {
+    canvas_.frame().set(
+        firstVoxelPicture(session, camera_.camera(canvas_.sizePx()),
+                          backdropColours(settings.view.backdrop, settings.window.theme)));
 }
 
 bool VoxelViewport::render(const Session& session, const GpuOctree& octree,

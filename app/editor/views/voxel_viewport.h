@@ -25,6 +25,8 @@ class VoxelViewport {
     void show(Ui& ui, ImVec2 min, ImVec2 size, bool edits, std::string& refusal);
     // Brings what is drawn over the model up to date with the session; before render().
     void follow(const Session& session, const EditorSettings& settings);
+    // The picture of the first frames (first_pictures.h), in place of render().
+    void renderFirst(const Session& session, const EditorSettings& settings);
     // Draws the picture again if anything in it changed; true when it did.
     bool render(const Session& session, const GpuOctree& octree, const EditorSettings& settings);
 
@@ -49,9 +51,8 @@ class VoxelViewport {
     [[nodiscard]] const ToolBox& tools() const { return tools_; }
 
   private:
-    VoxelViewport(VoxelView view, Overlay overlay)
+    explicit VoxelViewport(VoxelView view)
         : view_(std::move(view)),
-          overlay_(std::move(overlay)),
           selection_(std::make_unique<SelectionPicture>()),
           clusters_(std::make_unique<VoxelClusters>()) {}
     void useTools(Ui& ui, const ToolContext& context, std::string& refusal);

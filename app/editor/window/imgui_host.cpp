@@ -11,11 +11,6 @@
 
 namespace voxprite::editor {
 
-struct ImGuiHost::Clipboard {
-    Window* window;
-    std::string text;
-};
-
 namespace {
 
 void mapKeys(ImGuiIO& io) {
@@ -46,51 +41,65 @@ void mapKeys(ImGuiIO& io) {
 
 }  // namespace
 
-ImGuiHost::ImGuiHost(Window& window) : window_(&window), context_(ImGui::CreateContext()) {}
-
-ImGuiHost::ImGuiHost(ImGuiHost&& other) noexcept
-    : window_(other.window_),
-      context_(std::exchange(other.context_, nullptr)),
-      theme_(other.theme_),
-      themeReady_(other.themeReady_),
-      clipboard_(std::move(other.clipboard_)) {}
+ImGuiHost::ImGuiHost(float likelyScale)
+    : context_(ImGui::CreateContext()), likelyScale_(likelyScale) {
+    likelyFonts_ = std::async(std::launch::async, [likelyScale] {
+        const Fonts fonts = buildFonts(likelyScale);
+        // Unfolded here, too, and kept until it is sent to the GPU.
+        unsigned char* pixels = nullptr;
+        int width = 0, height = 0;
+        ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+        return fonts;
+    });
+}
 
 ImGuiHost::~ImGuiHost() {
-    if (context_ == nullptr) return;
-    ImGui_ImplOpenGL3_Shutdown();
+    if (likelyFonts_.valid()) likelyFonts_.wait();
+    if (window_ != nullptr) ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext(context_);
 }
 
-Result<ImGuiHost> ImGuiHost::create(Window& window) {
-    ImGuiHost host(window);
+Status ImGuiHost::open(Window& window) {
+    likelyFonts_.wait();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;  // the layout is ours
     io.LogFilename = nullptr;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
     mapKeys(io);
-    host.clipboard_ = std::make_unique<Clipboard>(Clipboard{&window, {}});
-    io.ClipboardUserData = host.clipboard_.get();
+    io.ClipboardUserData = this;
     io.GetClipboardTextFn = [](void* user) {
-        auto& clipboard = *static_cast<Clipboard*>(user);
-        clipboard.text = clipboard.window->clipboard();
-        return clipboard.text.c_str();
+        auto& host = *static_cast<ImGuiHost*>(user);
+        host.clipboard_ = host.window_->clipboard();
+        return host.clipboard_.c_str();
     };
     io.SetClipboardTextFn = [](void* user, const char* text) {
-        static_cast<Clipboard*>(user)->window->setClipboard(text);
+        static_cast<ImGuiHost*>(user)->window_->setClipboard(text);
     };
     if (!ImGui_ImplOpenGL3_Init("#version 450 core")) {
         return fail("the user interface cannot be drawn with this OpenGL driver");
     }
-    return host;
+    window_ = &window;
+    return {};
+}
+
+float ImGuiHost::scaleOf(double contentScale, const WindowSettings& settings) {
+    return std::clamp(static_cast<float>(contentScale) * settings.scale, 0.5f, 5.0f);
+}
+
+Fonts ImGuiHost::fontsFor(float scale) {
+    if (likelyFonts_.valid()) {
+        const Fonts fonts = likelyFonts_.get();
+        if (scale == likelyScale_) return fonts;
+    }
+    return buildFonts(scale);
 }
 
 const Theme& ImGuiHost::updateTheme(const WindowSettings& settings) {
     const ThemeKind kind = settings.theme;
-    const float scale =
-        std::clamp(static_cast<float>(window_->contentScale()) * settings.scale, 0.5f, 5.0f);
+    const float scale = scaleOf(window_->contentScale(), settings);
     if (!themeReady_ || scale != theme_.scale) {
-        theme_.fonts = buildFonts(scale);
+        theme_.fonts = fontsFor(scale);
         ImGui_ImplOpenGL3_DestroyFontsTexture();
         ImGui_ImplOpenGL3_CreateFontsTexture();
     }

@@ -4,6 +4,8 @@
 
 #include <imgui.h>
 
+#include <future>
+#include <string>
 #include <vector>
 
 #include "app/editor/settings/settings.h"
@@ -16,10 +18,16 @@ namespace voxprite::editor {
 
 class ImGuiHost {
   public:
-    [[nodiscard]] static Result<ImGuiHost> create(Window& window);
+    // Lays the fonts out for a scale that is likely to be the window's, on a thread of its own:
+    // until open() nothing else may touch ImGui.
+    explicit ImGuiHost(float likelyScale);
+    [[nodiscard]] Status open(Window& window);
     ~ImGuiHost();
-    ImGuiHost(ImGuiHost&&) noexcept;
-    ImGuiHost& operator=(ImGuiHost&&) = delete;
+    ImGuiHost(const ImGuiHost&) = delete;
+    ImGuiHost& operator=(const ImGuiHost&) = delete;
+
+    // Pixels a unit of the layout on a display of that scale.
+    [[nodiscard]] static float scaleOf(double contentScale, const WindowSettings& settings);
 
     // Rebuilds fonts and style when the theme or the scale changed.
     const Theme& updateTheme(const WindowSettings& settings);
@@ -31,17 +39,16 @@ class ImGuiHost {
     void applyCursor();
 
   private:
-    explicit ImGuiHost(Window& window);
     void feed(const InputEvent& event);
+    [[nodiscard]] Fonts fontsFor(float scale);
 
-    Window* window_;
-    ImGuiContext* context_ = nullptr;
+    Window* window_ = nullptr;  // once it is open
+    ImGuiContext* context_;
     Theme theme_;
+    float likelyScale_;
+    std::future<Fonts> likelyFonts_;  // until they are used
     bool themeReady_ = false;
-    // What the clipboard hands to ImGui, which keeps the pointer; shared so that moving the host
-    // leaves the pointer valid.
-    struct Clipboard;
-    std::unique_ptr<Clipboard> clipboard_;
+    std::string clipboard_;  // what was handed to ImGui, which keeps the pointer
 };
 
 }  // namespace voxprite::editor
