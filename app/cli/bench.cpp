@@ -8,6 +8,7 @@
 
 #include "app/cli/bench/cluster_frames.h"
 #include "app/cli/bench/convert_files.h"
+#include "app/cli/bench/counters.h"
 #include "app/cli/bench/ratios.h"
 #include "app/cli/bench/tables.h"
 #include "app/cli/command.h"
@@ -18,8 +19,9 @@
 namespace voxprite::cli {
 namespace {
 
-constexpr std::array<const char*, 10> kParts{"cast",  "raycast", "bake",     "update",  "memory",
-                                             "frame", "shade",   "clusters", "latency", "files"};
+constexpr std::array<const char*, 12> kParts{"cast",    "raycast", "bake",  "update",
+                                             "memory",  "frame",   "shade", "clusters",
+                                             "latency", "start",   "loops", "files"};
 
 struct Options {
     std::vector<std::string> only;
@@ -98,6 +100,7 @@ Result<Report> runBench(const Options& options) {
 
     Report report;
     report.json["machine"] = bench::machine();
+    report.json["machine"]["counters"] = bench::describe(bench::HardwareCounters());
     report.json["machine"]["gl"] = nullptr;
     // OpenGL is not needed for the other parts, and may be missing on the machine.
     Result<gl::HeadlessContext> context = gl::HeadlessContext::create();
@@ -111,7 +114,7 @@ Result<Report> runBench(const Options& options) {
     constexpr std::array<Part, kParts.size()> run{
         bench::benchCast,    bench::benchRaycast, bench::benchBake,  bench::benchUpdate,
         bench::benchMemory,  bench::benchFrame,   bench::benchShade, bench::benchClusters,
-        bench::benchLatency, bench::benchFiles};
+        bench::benchLatency, bench::benchStart,   bench::benchLoops, bench::benchFiles};
     for (std::size_t k = 0; k < kParts.size(); ++k) {
         if (!wanted(kParts[k])) continue;
         Result<Json> figures = run[k](*models, effort);
@@ -143,8 +146,7 @@ void addBench(CLI::App& app, Command& command) {
     auto options = std::make_shared<Options>();
     sub.add_option("--only", options->only,
                    "Only these parts: cast, raycast, bake, update, memory, frame, shade, clusters, "
-                   "latency, "
-                   "files")
+                   "latency, start, loops, files")
         ->delimiter(',')
         ->check(CLI::IsMember(std::vector<std::string>(kParts.begin(), kParts.end())))
         ->type_name("PART,...");

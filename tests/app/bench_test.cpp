@@ -52,6 +52,30 @@ TEST_F(Bench, RaysAtEveryDepthAgreeWithOpenGl) {
     EXPECT_GE(figures["cpu"], 8);
 }
 
+// The same work in every run, so that what is counted of it can be compared.
+TEST_F(Bench, HotLoopsDoTheSameWorkInEveryRun) {
+    std::vector<std::map<std::string, int>> runs;
+    for (int n = 0; n < 2; ++n) {
+        const ProgramResult result = run({"bench", "--quick", "--only", "loops", "--json"});
+        ASSERT_EQ(result.status, 0) << result.err;
+        const json report = result.json();
+        // Counters, or why there are none.
+        const json& counters = report.at("machine").at("counters");
+        EXPECT_TRUE(counters == true || counters.is_string()) << counters;
+        std::map<std::string, int>& counts = runs.emplace_back();
+        for (const json& figure : report.at("loops")) {
+            counts[figure.at("loop").get<std::string>()] = figure.at("count").get<int>();
+            EXPECT_EQ(figure.contains("instructions_per_" + figure.at("unit").get<std::string>()),
+                      counters == true)
+                << figure;
+        }
+        EXPECT_EQ(counts.size(), 6u);
+        EXPECT_EQ(counts["packet_cast"], 256 * 256);
+        EXPECT_EQ(counts["bake"], counts["naive_bake"]);
+    }
+    EXPECT_EQ(runs[0], runs[1]);
+}
+
 TEST_F(Bench, CrowdsAreOneDrawAndCastOnlyWhatIsNew) {
     const ProgramResult result = run({"bench", "--quick", "--only", "frame", "--json"});
     ASSERT_EQ(result.status, 0) << result.err;

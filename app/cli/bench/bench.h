@@ -64,12 +64,17 @@ void progress(const Effort& effort, const std::string& what);
 [[nodiscard]] Result<Json> benchUpdate(const std::vector<BenchModel>& models, const Effort& effort);
 // Bytes, and bytes a solid voxel.
 [[nodiscard]] Result<Json> benchMemory(const std::vector<BenchModel>& models, const Effort& effort);
+// The hot loops on a shell of 128 cubed, over the same work in every run.
+[[nodiscard]] Result<Json> benchLoops(const std::vector<BenchModel>& models, const Effort& effort);
 [[nodiscard]] Result<Json> benchFiles(const std::vector<BenchModel>& models, const Effort& effort);
 // These need a current GL context.
 [[nodiscard]] Result<Json> benchFrame(const std::vector<BenchModel>& models, const Effort& effort);
 [[nodiscard]] Result<Json> benchShade(const std::vector<BenchModel>& models, const Effort& effort);
 [[nodiscard]] Result<Json> benchClusters(const std::vector<BenchModel>& models,
                                          const Effort& effort);
+// Of the editor: milliseconds from the start of its process until each part is done, "first frame"
+// among them, without a shader cache. Starts a virtual display where there is none.
+[[nodiscard]] Result<Json> benchStart(const std::vector<BenchModel>& models, const Effort& effort);
 // On models of its own; rays that OpenGL sees end elsewhere are in the figure (`differing`).
 [[nodiscard]] Result<Json> benchRaycast(const std::vector<BenchModel>& models,
                                         const Effort& effort);

@@ -18,11 +18,13 @@
 #include <tuple>
 
 #include "app/cli/bench/bench.h"
+#include "app/cli/bench/counters.h"
 #include "app/cli/bench/volume_rivals.h"
 #include "app/cli/stopwatch.h"
 #include "core/base/parallel.h"
 #include "core/sprite/sprite_outline.h"
 #include "core/sprite/sprite_view.h"
+#include "core/sprite/voxel_placement.h"
 #include "core/trace/lattice_caster.h"
 #include "core/trace/packet_caster.h"
 #include "core/trace/ray_packet.h"
@@ -39,7 +41,8 @@ constexpr OrbitAngles kViews[] = {{28, 19, 0},  {66, -31, 0},  {118, 24, 0}, {15
 struct View {
     LatticeView lattice;
     std::vector<Ray> parallelRays;
-    std::vector<Ray> eyeRays;
+    EyePicture eyePicture;
+    std::vector<Ray> eyeRays;  // of that picture
 };
 
 std::vector<Ray> parallelRays(const LatticeView& lattice) {
@@ -54,16 +57,12 @@ std::vector<Ray> parallelRays(const LatticeView& lattice) {
     return rays;
 }
 
-std::vector<Ray> eyeRays(const PlacedEntity& placed, const Camera& camera) {
-    const glm::dmat3 voxelFromWorld = glm::transpose(placed.worldFromVoxelAxes);
+std::vector<Ray> eyeRays(const EyePicture& picture, glm::ivec2 size) {
     std::vector<Ray> rays;
-    for (int row = 0; row < camera.viewportPx.y; ++row) {
-        for (int column = 0; column < camera.viewportPx.x; ++column) {
-            const Camera::Ray ray = camera.rayThrough(glm::dvec2(column, row) + 0.5);
-            const glm::dvec3 eye =
-                voxelFromWorld * (ray.origin - placed.anchorMetres) / placed.metresPerVoxel() +
-                placed.anchor;
-            rays.push_back({eye, voxelFromWorld * ray.direction, 0.0});
+    for (int row = 0; row < size.y; ++row) {
+        for (int column = 0; column < size.x; ++column) {
+            const voxprite::Ray ray = picture.ray({column, row});
+            rays.push_back({ray.origin, ray.direction, 0.0});
         }
     }
     return rays;
@@ -76,14 +75,15 @@ Result<View> viewOf(const BenchModel& model, const OrbitAngles& angles, int edge
     ortho.sigmaInForce = std::clamp(edgePx / glm::length(glm::dvec3(size)), 1.0 / 64.0, 64.0);
     const Result<LatticeView> lattice = quantiseView(ortho, size);
     if (!lattice) return Failure(lattice.error());
-    View view{*lattice, {}, {}};
+    View view{*lattice, {}, {}, {}};
     view.lattice.first = glm::ivec2(-edgePx / 2);
     view.lattice.size = glm::ivec2(edgePx);
     view.parallelRays = parallelRays(view.lattice);
     const PlacedEntity placed = placeEntity(Entity{}, {{0, 0, 0}, size}, GameProfile{});
-    view.eyeRays =
-        eyeRays(placed, orbitCamera(angles, placed.centreMetres(), 2.7 * placed.radiusMetres(),
-                                    45.0, glm::ivec2(edgePx)));
+    view.eyePicture = eyePicture(
+        voxelPlacement(placed), orbitCamera(angles, placed.centreMetres(),
+                                            2.7 * placed.radiusMetres(), 45.0, glm::ivec2(edgePx)));
+    view.eyeRays = eyeRays(view.eyePicture, glm::ivec2(edgePx));
     return view;
 }
 
@@ -182,18 +182,10 @@ Caster packetCaster(const OctreeView& octree) {
                                         });
             },
             [octree](const View& view, int threads, Materials& hits) {
-                const int width = view.lattice.size.x;
                 castPackets<RayPacketHits>(
                     view.lattice.size, threads, hits,
                     [&](glm::ivec2 first, glm::ivec2 size, RayPacketHits& met) {
-                        std::vector<voxprite::Ray> rays;
-                        for (int row = 0; row < size.y; ++row)
-                            for (int column = 0; column < size.x; ++column) {
-                                const Ray& ray = view.eyeRays[static_cast<std::size_t>(
-                                    (first.y + row) * width + first.x + column)];
-                                rays.push_back({ray.origin, ray.direction});
-                            }
-                        castRayPacket(octree, rays, size, kMaxOctreeDepth, met);
+                        castRayPacket(octree, view.eyePicture, first, size, kMaxOctreeDepth, met);
                     });
             }};
 }
@@ -262,6 +254,7 @@ class CastBench {
         double ms = 0.0;
         std::size_t rays = 0, hits = 0;
         double differing = 0.0;
+        HardwareCounters::Counts counts;  // of the thread that calls
     };
     using Key = std::tuple<std::string, std::string, int>;  // kind, caster, threads
 
@@ -282,7 +275,9 @@ class CastBench {
                     Materials hits(count);
                     const cli::Stopwatch wall;
                     const double before = threadMs();
+                    counters_.start();
                     (caster.*castPicture)(view, threads, hits);
+                    const HardwareCounters::Counts counts = counters_.stop();
                     const double ms = threads == 1 ? threadMs() - before : wall.milliseconds();
                     double& best = shortest.try_emplace({caster.name, threads}, ms).first->second;
                     best = std::min(best, ms);
@@ -290,6 +285,7 @@ class CastBench {
                     if (&caster == &casters.front() && threads == 1) truth = hits;
                     Figure& figure = figures_[{kind, caster.name, threads}];
                     figure.rays += count;
+                    figure.counts += counts;
                     figure.hits +=
                         count - static_cast<std::size_t>(std::count(hits.begin(), hits.end(), 0));
                     figure.differing += shareDiffering(hits, truth) * static_cast<double>(count);
@@ -329,15 +325,21 @@ class CastBench {
                     const Figure& nanovdb = figures_.at({kind, "nanovdb", threads});
                     const double nanovdbRate =
                         static_cast<double>(nanovdb.rays) / nanovdb.ms / 1000.0;
-                    out_.push_back({{"model", model_.name},
-                                    {"kind", kind},
-                                    {"caster", name},
-                                    {"threads", threads},
-                                    {"mrays_per_s", rate},
-                                    {"times_nanovdb", rate / nanovdbRate},
-                                    {"rays", figure.rays},
-                                    {"hit", static_cast<double>(figure.hits) / rays},
-                                    {"differing", figure.differing / rays}});
+                    Json json{{"model", model_.name},
+                              {"kind", kind},
+                              {"caster", name},
+                              {"threads", threads},
+                              {"mrays_per_s", rate},
+                              {"times_nanovdb", rate / nanovdbRate},
+                              {"rays", figure.rays},
+                              {"hit", static_cast<double>(figure.hits) / rays},
+                              {"differing", figure.differing / rays}};
+                    if (threads == 1) {
+                        addCounts(json, figure.counts, rays, "ray");
+                    } else {
+                        json["times_one_thread"] = figures_.at({kind, name, 1}).ms / figure.ms;
+                    }
+                    out_.push_back(std::move(json));
                 }
     }
 
@@ -346,6 +348,7 @@ class CastBench {
     Effort effort_;
     Json& out_;
     std::map<Key, Figure> figures_;
+    HardwareCounters counters_;
     double spriteMs_ = 0.0, outlineMs_ = 0.0;
 };
 
