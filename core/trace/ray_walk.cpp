@@ -153,7 +153,7 @@ class EyeRays {
 
     HWY_INLINE bool leaf(const Brick&, const Place& place, unsigned, Leaf& leaf) const {
         const double step = 1 << positionBits_;
-        const double edge = std::ldexp(step, place.level);
+        const auto edge = static_cast<double>(1 << (positionBits_ + place.level));
         leaf.aroundEye = picture_.inside;
         for (int a = 0; a < 3; ++a) {
             leaf.low[a] = place.corner[a] * step;
@@ -223,10 +223,11 @@ class EyeRays {
         float radius[3];
     };
 
+    using Vector = hn::Vec<hn::CappedTag<double, kMostLanes>>;
+
     // quantiseRay, operation by operation, for as many rays at once as a vector has lanes.
     HWY_NOINLINE std::uint64_t quantise(int row, std::uint64_t lacking) {
         const hn::CappedTag<double, kMostLanes> d;
-        constexpr std::size_t kAll = kMostLanes;
         const std::size_t count = hn::Lanes(d);
         std::uint64_t done = 0;
         hits_.quantised[static_cast<std::size_t>(row)] |= lacking;
@@ -234,13 +235,8 @@ class EyeRays {
             const std::size_t first =
                 static_cast<std::size_t>(std::countr_zero(left)) / count * count;
             const std::uint64_t chunk = lanes() << first;
-            alignas(64) double direction[3][kAll];
-            for (std::size_t k = 0; k < count; ++k) {
-                // Past the last column its ray again.
-                const int column = std::min(static_cast<int>(first + k), picture_.size.x - 1);
-                const glm::dvec3 own = picture_.rayAt(column, row).direction;
-                for (int a = 0; a < 3; ++a) direction[a][k] = own[a];
-            }
+            Vector direction[3];
+            directionsAt(first, row, direction);
             const std::uint64_t alone = quantiseChunk(direction, PacketHits::index(0, row) + first);
             done |= alone << first & left & chunk;
             left &= ~chunk;
@@ -249,15 +245,36 @@ class EyeRays {
         return done;
     }
 
+    // Of a vector's rays; past the last column any.
+    HWY_INLINE void directionsAt(std::size_t first, int row, Vector (&direction)[3]) const {
+        const hn::CappedTag<double, kMostLanes> d;
+        if (picture_.rays.empty()) {
+            // EyePicture::ray, operation by operation.
+            const EyePicture& picture = picture_.eyePicture;
+            const auto i = hn::Add(hn::Iota(d, 0.0),
+                                   hn::Set(d, picture_.corner.x + static_cast<double>(first)));
+            const double j = picture_.corner.y + row;
+            for (int a = 0; a < 3; ++a) {
+                const auto across = hn::Mul(hn::Set(d, picture.perColumn[a]), i);
+                direction[a] = hn::Add(hn::Add(hn::Set(d, picture.first[a]), across),
+                                       hn::Set(d, picture.perRow[a] * j));
+            }
+            return;
+        }
+        alignas(64) double own[3][kMostLanes];
+        for (std::size_t k = 0; k < hn::Lanes(d); ++k) {
+            const int column = std::min(static_cast<int>(first + k), picture_.size.x - 1);
+            const glm::dvec3 along = picture_.rayAt(column, row).direction;
+            for (int a = 0; a < 3; ++a) own[a][k] = along[a];
+        }
+        for (int a = 0; a < 3; ++a) direction[a] = hn::Load(d, own[a]);
+    }
+
     // The numbers of a vector's rays, to `at`; a bit for each that misses the box or stays where it
     // is on an axis: those have none.
-    HWY_INLINE std::uint64_t quantiseChunk(const double (&direction)[3][kMostLanes],
-                                           std::size_t at) {
+    HWY_INLINE std::uint64_t quantiseChunk(const Vector (&along)[3], std::size_t at) {
         const hn::CappedTag<double, kMostLanes> d;
-        using Vector = hn::Vec<decltype(d)>;
         const auto zero = hn::Zero(d);
-        const Vector along[3] = {hn::Load(d, direction[0]), hn::Load(d, direction[1]),
-                                 hn::Load(d, direction[2])};
         const auto largest =
             hn::Max(hn::Max(hn::Abs(along[0]), hn::Abs(along[1])), hn::Abs(along[2]));
         const Vector scaled[3] = {hn::Div(along[0], largest), hn::Div(along[1], largest),
