@@ -326,6 +326,7 @@ void App::lockCameras() {
 std::string App::openDialog() const {
     if (recovery_.isOpen()) return "recovery";
     if (files_.isBrowsing()) return "browser";
+    if (files_.isImporting()) return "import";
     const std::string dialog = dialogs_.openName();
     return dialog.empty() ? overlays_.openName() : dialog;
 }

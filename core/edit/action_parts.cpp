@@ -36,6 +36,7 @@ Changed::Voxels& voxelsOf(Changed& changed, const VoxelPatch& patch) {
 
 void noteVoxels(Changed& changed, const VoxelPatch& patch) {
     auto& positions = voxelsOf(changed, patch).positions;
+    positions.reserve(positions.size() + patch.changes.size());
     for (const VoxelChange& change : patch.changes) positions.push_back(change.position);
 }
 

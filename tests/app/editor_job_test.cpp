@@ -6,6 +6,7 @@
 
 #include "app/editor/session/background_job.h"
 #include "app/editor/session/session.h"
+#include "core/base/file.h"
 #include "core/edit/make_action.h"
 #include "core/edit/patches.h"
 #include "tests/support/temporary_folder.h"
@@ -90,8 +91,9 @@ TEST(EditorSession, WhatIsDrawnWhileSavingIsUnsaved) {
     const Result<Session::Saving> saving = session.beginSaving(folder / "a.voxprite");
     ASSERT_TRUE(saving);
     ASSERT_TRUE(session.perform(dab(session, {4, 5, 6})));
-    ASSERT_TRUE(Session::write(*saving));
-    session.endSaving(*saving, true);
+    const Session::Written written = Session::write(*saving);
+    ASSERT_TRUE(written);
+    session.endSaving(*saving, written);
     EXPECT_TRUE(session.unsaved());
     EXPECT_EQ(session.path(), folder / "a.voxprite");
     ASSERT_TRUE(session.undo());
@@ -102,6 +104,20 @@ TEST(EditorSession, WhatIsDrawnWhileSavingIsUnsaved) {
     EXPECT_EQ(again.octree().solidCount(), 1u);
 }
 
+// Between the end of the writing and the window's news of it.
+TEST(EditorSession, WhatAnotherProgramWritesAtOnceIsNotItsOwn) {
+    const test::TemporaryFolder folder;
+    Session session;
+    ASSERT_TRUE(session.perform(dab(session, {1, 2, 3})));
+    const Result<Session::Saving> saving = session.beginSaving(folder / "a.voxprite");
+    ASSERT_TRUE(saving);
+    const Session::Written written = Session::write(*saving);
+    ASSERT_TRUE(written);
+    ASSERT_TRUE(writeFileAtomically(folder / "a.voxprite", std::string("another program's")));
+    session.endSaving(*saving, written);
+    EXPECT_TRUE(session.changedOutside());
+}
+
 TEST(EditorSession, ACancelledSaveWritesNothingAndSavesNothing) {
     const test::TemporaryFolder folder;
     Session session;
@@ -110,8 +126,9 @@ TEST(EditorSession, ACancelledSaveWritesNothingAndSavesNothing) {
     ASSERT_TRUE(saving);
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_FALSE(Session::write(*saving, stop.get_token()));
-    session.endSaving(*saving, false);
+    const Session::Written written = Session::write(*saving, stop.get_token());
+    EXPECT_FALSE(written);
+    session.endSaving(*saving, written);
     EXPECT_FALSE(std::filesystem::exists(folder / "a.voxprite"));
     EXPECT_TRUE(session.unsaved());
     EXPECT_FALSE(session.path());

@@ -281,7 +281,7 @@ class SpritePicture : public testing::Test {
 };
 
 TEST_F(SpritePicture, IsTheSpriteOfTheViewWithoutItsEmptyEdges) {
-    const Result<Image> picture = spritePicture(session_, camera_, {}, 1);
+    const Result<Image> picture = spritePicture(session_, session_.profile(), camera_, {}, 1);
     ASSERT_TRUE(picture) << picture.error().describe();
     // Cast apart from it.
     const GameProfile& profile = session_.profile();
@@ -323,7 +323,9 @@ TEST_F(SpritePicture, IsTheSpriteOfTheViewWithoutItsEmptyEdges) {
 
 // The game's occlusion and shadow are in the picture at once, and go with undo.
 TEST_F(SpritePicture, FollowsTheGamesLight) {
-    const auto pixels = [&] { return spritePicture(session_, camera_, {}, 1).value().pixels; };
+    const auto pixels = [&] {
+        return spritePicture(session_, session_.profile(), camera_, {}, 1).value().pixels;
+    };
     const std::vector<Rgba8> plain = pixels();
     std::vector<std::vector<Rgba8>> shaded;
     for (double Light::*strength : {&Light::occlusion, &Light::shadow}) {
@@ -343,8 +345,8 @@ TEST_F(SpritePicture, FollowsTheGamesLight) {
 }
 
 TEST_F(SpritePicture, IsMagnifiedPixelByPixel) {
-    const Result<Image> small = spritePicture(session_, camera_, {}, 1);
-    const Result<Image> large = spritePicture(session_, camera_, {}, 4);
+    const Result<Image> small = spritePicture(session_, session_.profile(), camera_, {}, 1);
+    const Result<Image> large = spritePicture(session_, session_.profile(), camera_, {}, 4);
     ASSERT_TRUE(small && large);
     ASSERT_EQ(glm::ivec2(large->width, large->height), 4 * glm::ivec2(small->width, small->height));
     for (int y = 0; y < large->height; ++y) {
@@ -357,10 +359,10 @@ TEST_F(SpritePicture, IsMagnifiedPixelByPixel) {
 TEST_F(SpritePicture, SaysWhenThereIsNothingToSee) {
     camera_.forward = -camera_.forward;
     camera_.right = -camera_.right;
-    EXPECT_FALSE(spritePicture(session_, camera_, {}, 1));
+    EXPECT_FALSE(spritePicture(session_, session_.profile(), camera_, {}, 1));
     EXPECT_EQ(colourUnder(session_, camera_, {}, {200, 250}), 0);
     const Session empty;
-    EXPECT_FALSE(spritePicture(empty, camera_, {}, 1));
+    EXPECT_FALSE(spritePicture(empty, empty.profile(), camera_, {}, 1));
     EXPECT_TRUE(trimmed(Image(5, 4)).pixels.empty());
 }
 

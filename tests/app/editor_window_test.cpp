@@ -3,6 +3,7 @@
 #include <set>
 #include <sstream>
 
+#include "core/base/file.h"
 #include "core/io/formats.h"
 #include "core/io/png.h"
 #include "core/model/entity_voxels.h"
@@ -165,6 +166,65 @@ TEST_F(EditorInAWindow, AsksBeforeLosingChangesAndSaves) {
     ASSERT_NO_FATAL_FAILURE(awaitDialog("unsaved"));
     click(centreOf("unsaved.discard"));
     EXPECT_EQ(editor().wait(), 0) << said();
+}
+
+TEST_F(EditorInAWindow, AsksBeforeReplacingWhatAnotherProgramWrote) {
+    ASSERT_NO_FATAL_FAILURE(openBox());
+    const std::filesystem::path path = file("box.voxprite");
+    key("ctrl+s");
+    ASSERT_NO_FATAL_FAILURE(awaitDialog("browser"));
+    static_cast<void>(centreOf("browser.name"));
+    key("ctrl+a");
+    type(path.string());
+    click(centreOf("browser.accept"));
+    await("the document has that name",
+          [&](const Json& now) { return now.at("state").at("file") == path.string(); });
+    const std::string other = "another program's";
+    ASSERT_TRUE(writeFileAtomically(path, other));
+
+    key("ctrl+s");
+    ASSERT_NO_FATAL_FAILURE(awaitDialog("changed"));
+    key("Escape");
+    ASSERT_NO_FATAL_FAILURE(awaitDialog(""));
+    EXPECT_EQ(readTextFile(path).value(), other);
+
+    key("ctrl+s");
+    ASSERT_NO_FATAL_FAILURE(awaitDialog("changed"));
+    click(centreOf("changed.replace"));
+    await("the file is ours again", [&](const Json&) { return loadDocument(path).has_value(); });
+}
+
+TEST_F(EditorInAWindow, AsksWhatVoxelsAMeshShallBecome) {
+    ASSERT_NO_FATAL_FAILURE(openBox());
+    const std::filesystem::path mesh = file("box.obj");
+    ASSERT_TRUE(saveDocument(mesh, document, GameProfile{}));
+    key("ctrl+o");
+    ASSERT_NO_FATAL_FAILURE(awaitDialog("browser"));
+    static_cast<void>(centreOf("browser.name"));
+    key("ctrl+a");
+    type(mesh.string());
+    click(centreOf("browser.accept"));
+    ASSERT_NO_FATAL_FAILURE(awaitDialog("import"));
+    key("Escape");
+    ASSERT_NO_FATAL_FAILURE(awaitDialog(""));
+    EXPECT_EQ(state().at("file"), file("box.vox").string());
+
+    // Solid, at twice the box's own resolution: twice as many voxels along each side.
+    key("ctrl+o");
+    ASSERT_NO_FATAL_FAILURE(awaitDialog("browser"));
+    static_cast<void>(centreOf("browser.name"));
+    key("ctrl+a");
+    type(mesh.string());
+    click(centreOf("browser.accept"));
+    ASSERT_NO_FATAL_FAILURE(awaitDialog("import"));
+    click(centreOf("import.filling.1"));
+    const glm::ivec2 number = centreOf("import.resolution");
+    clickWith("ctrl", number);
+    key("ctrl+a");
+    type("24");
+    key("Return");
+    ASSERT_NO_FATAL_FAILURE(awaitDialog(""));
+    ASSERT_NO_FATAL_FAILURE(awaitVoxels(8 * 960));
 }
 
 TEST_F(EditorInAWindow, ReplaysWhatWasRecorded) {

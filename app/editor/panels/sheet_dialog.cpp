@@ -16,7 +16,7 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr float kWidth = 1120.0f, kHeight = 700.0f, kSettingsWidth = 312.0f;
+constexpr float kWidth = 1120.0f, kHeight = 764.0f, kSettingsWidth = 312.0f;
 
 constexpr std::array kUsualDirections{4, 8, 16, 32};
 constexpr std::array kDirectionChoices{Choice{"4", "Front, right, back and left"}, Choice{"8", ""},
@@ -24,6 +24,10 @@ constexpr std::array kDirectionChoices{Choice{"4", "Front, right, back and left"
 constexpr std::array kOutlines{Choice{"Game's", "As the game's profile has it"},
                                Choice{"On", "One virtual pixel around every sprite"},
                                Choice{"Off", "No outline"}};
+
+constexpr std::array kTurntables{
+    Choice{"PNG", "Animated PNG: every colour, clean edges"},
+    Choice{"GIF", "Plays everywhere; at most 255 colours, and hundredths of a second"}};
 
 // Whole and quarter values above 1, where the grid falls evenly; halvings below.
 double snapSigma(double sigma) {
@@ -140,16 +144,18 @@ void SheetDialog::drawPicture(Ui& ui) {
     static_cast<void>(switchRow(ui, "sheet.normals", "Normals", sheet.normals,
                                 "Of the faces, toward right, up and the eye"));
     static_cast<void>(switchRow(ui, "sheet.depths", "Depths", sheet.depths, "White is nearest"));
-    static_cast<void>(switchRow(ui, "sheet.indices", "Palette indices", sheet.indices,
-                                "The number of each pixel's colour, as grey"));
+    static_cast<void>(switchRow(ui, "sheet.indices", "Indices", sheet.indices,
+                                "The number of each pixel's colour in the palette, as grey"));
 }
 
 void SheetDialog::drawTurntable(Ui& ui) {
     SheetSettings& sheet = ui.settings.sheet;
     if (!section(ui, "Turntable")) return;
     static_cast<void>(switchRow(ui, "sheet.turntable", "Animated", sheet.turntable,
-                                "An animated PNG of all sprites in turn, beside the sheet"));
+                                "A picture of all sprites in turn, beside the sheet"));
     if (!sheet.turntable) return;
+    static_cast<void>(
+        enumRow(ui, "sheet.turntableKind", "Written as", sheet.turntableKind, kTurntables));
     wholeRow(ui, "sheet.turntableMs", "Each view", sheet.turntableMilliseconds, 1, 65535, "%.0f ms",
              "Where no clip says how long a frame lasts");
     wholeRow(ui, "sheet.magnify", "Magnified", sheet.magnify, 1, 32, "%.0f times",
@@ -335,7 +341,8 @@ std::optional<SheetExport> SheetDialog::accept(Ui& ui) {
     // What is seen is what was asked for, unless it is still on its way.
     if (!maker_.working() && maker_.made()) asked.sheet = maker_.made()->sheet;
     if (settings.turntable) {
-        const std::string name = path.stem().string() + ".turntable.png";
+        const bool gif = settings.turntableKind == TurntableKind::gif;
+        const std::string name = path.stem().string() + (gif ? ".turntable.gif" : ".turntable.png");
         asked.turntable = {path.parent_path() / name, settings.turntableMilliseconds,
                            settings.magnify};
     }

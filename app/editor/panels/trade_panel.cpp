@@ -269,7 +269,10 @@ void drawTrade(Ui& ui) {
     ImGui::BeginChild("trade");
     drawProgress(ui);
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float height = std::clamp(room.x * 0.62f, theme.px(150), theme.px(280));
+    // What is done with the curve stays in sight below it.
+    const float below = theme.px(settings.b ? 302 : 240);
+    const float height =
+        std::clamp(std::min(room.x * 0.62f, room.y - below), theme.px(132), theme.px(280));
     const PlotAnswer answer = drawTradePlot(ui, inForce, {room.x, height});
     if (answer.looked) {
         settings.b = answer.looked;

@@ -113,6 +113,8 @@ void FileFlow::draw(Ui& ui) {
         const Chosen chosen = std::exchange(chosen_, {});
         chosen(context_, *path);
     }
+    const std::filesystem::path mesh = import_.file();
+    if (import_.draw(ui) == ImportDialog::Answer::import) readNow(mesh, import_.chosen());
     static_cast<void>(step_.finish());
     static_cast<void>(job_.finish());
     followDrag();
@@ -275,10 +277,16 @@ void FileFlow::goOn() {
 }
 
 void FileFlow::openNow(const std::filesystem::path& path) {
-    const auto opening = [this, path](JobProgress& progress) -> BackgroundJob::Done {
+    const Result<Format> format = formatOf(path);
+    if (format && !infoOf(*format).keepsVoxels) return import_.open(path);
+    readNow(path, {});
+}
+
+void FileFlow::readNow(const std::filesystem::path& path, const ReadOptions& options) {
+    const auto opening = [this, path, options](JobProgress& progress) -> BackgroundJob::Done {
         // Shared, as what a job leaves behind can be copied.
         const auto opened =
-            std::make_shared<Result<Session::Opened>>(Session::read(path, &progress));
+            std::make_shared<Result<Session::Opened>>(Session::read(path, &progress, options));
         return [this, path, opened] {
             CommandContext& c = context_;
             if (!*opened) return c.dialogs.showError(opened->error().describe());
@@ -305,10 +313,10 @@ void FileFlow::write(std::string title, const std::filesystem::path& path,
     const auto saving = std::make_shared<const Session::Saving>(std::move(*begun));
     const auto writing = [this, saving, afterwards](JobProgress& progress) -> BackgroundJob::Done {
         progress.enter("Writing", 0.0);
-        const Status written = Session::write(*saving, progress.stopToken());
+        const Session::Written written = Session::write(*saving, progress.stopToken());
         return [this, saving, written, afterwards] {
-            context_.session.endSaving(*saving, written.has_value());
-            if (!tell(written, {})) return;
+            context_.session.endSaving(*saving, written);
+            if (!tell(written ? Status() : Failure(written.error()), {})) return;
             if (const int count = saving->modelsLeftOut; count > 0) {
                 context_.toasts.info(std::to_string(count) +
                                      (count == 1 ? " model that no object shows is"
@@ -319,7 +327,7 @@ void FileFlow::write(std::string title, const std::filesystem::path& path,
         };
     };
     static_cast<void>(work(std::move(title), writing));
-    afterCancel_ = [this, saving] { context_.session.endSaving(*saving, false); };
+    afterCancel_ = [this, saving] { context_.session.endSaving(*saving, fail("cancelled")); };
 }
 
 void FileFlow::exportTo(const std::filesystem::path& path) {

@@ -11,6 +11,7 @@
 #include "app/editor/commands/command_context.h"
 #include "app/editor/panels/dialogs.h"
 #include "app/editor/panels/file_browser.h"
+#include "app/editor/panels/import_dialog.h"
 #include "app/editor/session/background_job.h"
 #include "app/editor/session/sheet_maker.h"
 
@@ -63,6 +64,8 @@ class FileFlow {
     // Scripts do one thing after another: waits until nothing goes on.
     void finishWork();
     [[nodiscard]] bool isBrowsing() const { return browser_.isOpen(); }
+    // Asks what voxels a mesh shall become.
+    [[nodiscard]] bool isImporting() const { return import_.isOpen(); }
 
     [[nodiscard]] bool quits() const { return quits_; }
     // Is another document open than at the last call?
@@ -75,7 +78,9 @@ class FileFlow {
     void afterUnsavedQuestion(UnsavedAnswer answer);
     void afterChangedQuestion(ChangedAnswer answer);
     void goOn();
+    // Of a mesh it asks first what voxels it shall become.
     void openNow(const std::filesystem::path& path);
+    void readNow(const std::filesystem::path& path, const ReadOptions& options);
     void saveTo(const std::filesystem::path& path);
     void exportTo(const std::filesystem::path& path);
     void write(std::string title, const std::filesystem::path& path,
@@ -91,6 +96,7 @@ class FileFlow {
 
     CommandContext& context_;
     FileBrowser browser_;
+    ImportDialog import_;
     Chosen chosen_;
     BackgroundJob step_;
     BackgroundJob job_;

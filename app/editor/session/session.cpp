@@ -115,6 +115,7 @@ Status Session::followVoxels(const Changed::Voxels& changed) {
         workspace_.document.models[static_cast<std::size_t>(changed.model)].voxels);
     for (const Instance& instance : sampler_->instances()) {
         if (instance.model != changed.model) continue;
+        edits.reserve(edits.size() + many);
         for (const glm::ivec3 position : changed.positions) {
             const glm::ivec3 voxel = instance.entityFromModel.applyToVoxel(position);
             edits.push_back({voxel, alone ? reader.get(position) : sampler_->at(voxel)});

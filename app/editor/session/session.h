@@ -165,7 +165,8 @@ class Session {
         std::optional<FileStamp> stamp;  // of the file as it was read
     };
     [[nodiscard]] static Result<Opened> read(const std::filesystem::path& path,
-                                             JobProgress* progress = nullptr);
+                                             JobProgress* progress = nullptr,
+                                             const ReadOptions& options = {});
     void adopt(Opened opened);
     // The copy of unsaved work that a crash left (recovery/recovery_folder.h): it is `file`, if
     // any, with changes that are in no file yet.
@@ -179,10 +180,13 @@ class Session {
         bool wasSaved = false;  // there was nothing to save
         int modelsLeftOut = 0;  // that no object shows
     };
+    // What came of it: the file as it was written, by which it is known again. (None where another
+    // name than the one that was asked for was written to, or another program was as quick.)
+    using Written = Result<std::optional<FileStamp>>;
     // The document as it is now. It counts as saved from here on; endSaving() says whether it was.
     [[nodiscard]] Result<Saving> beginSaving(const std::filesystem::path& path);
-    [[nodiscard]] static Status write(const Saving& saving, std::stop_token stop = {});
-    void endSaving(const Saving& saving, bool saved);
+    [[nodiscard]] static Written write(const Saving& saving, std::stop_token stop = {});
+    void endSaving(const Saving& saving, const Written& written);
 
     [[nodiscard]] Status openProfile(const std::filesystem::path& path);
     [[nodiscard]] Status saveProfile(const std::filesystem::path& path);

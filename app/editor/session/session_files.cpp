@@ -32,11 +32,12 @@ Status Session::startNew() {
     return {};
 }
 
-Result<Session::Opened> Session::read(const std::filesystem::path& path, JobProgress* progress) {
+Result<Session::Opened> Session::read(const std::filesystem::path& path, JobProgress* progress,
+                                      const ReadOptions& options) {
     // Reading takes about as long as building does, whatever the format.
     if (progress != nullptr) progress->enter("Reading the file", 0.05);
     const std::optional<FileStamp> stamp = stampOf(path);
-    Result<LoadedDocument> loaded = loadDocument(path);
+    Result<LoadedDocument> loaded = loadDocument(path, options);
     if (!loaded) return Failure(loaded.error());
     if (progress != nullptr) progress->enter("Building the octree", 0.5);
     Result<Derived> derived = derive(loaded->document, 0);
@@ -89,27 +90,31 @@ Result<Session::Saving> Session::beginSaving(const std::filesystem::path& path) 
                   profile(), wasSaved, unusedModels(document())};
 }
 
-Status Session::write(const Saving& saving, std::stop_token stop) {
-    return saveDocument(saving.path, saving.document, saving.profile, std::move(stop));
+Session::Written Session::write(const Saving& saving, std::stop_token stop) {
+    Status saved = saveDocument(saving.path, saving.document, saving.profile, std::move(stop));
+    if (!saved) return Failure(saved.error());
+    // At once: what another program writes before the window comes to know that this is saved must
+    // not be taken for what was written here.
+    return stampOf(saving.path);
 }
 
-void Session::endSaving(const Saving& saving, bool saved) {
+void Session::endSaving(const Saving& saving, const Written& written) {
     if (saving.format != Format::voxprite) return;
-    if (!saved) {
+    if (!written) {
         if (!saving.wasSaved) history_.markUnsaved();
         return;
     }
     path_ = saving.path;
-    stamp_ = stampOf(saving.path);
+    stamp_ = *written;
     if (!profilePath_) savedProfile_ = saving.profile;
 }
 
 Status Session::saveAs(const std::filesystem::path& path) {
     const Result<Saving> saving = beginSaving(path);
     if (!saving) return Failure(saving.error());
-    Status written = write(*saving);
-    endSaving(*saving, written.has_value());
-    return written;
+    const Written written = write(*saving);
+    endSaving(*saving, written);
+    return written ? Status() : Failure(written.error());
 }
 
 Status Session::openProfile(const std::filesystem::path& path) {

@@ -8,6 +8,9 @@ namespace {
 
 // Cubes of 8: to build the octree of more than these anew takes long.
 constexpr std::uint64_t kManyCubes = 6'000;
+// Changes: a tool has shown what it makes before it is made, history goes where nothing is shown
+// yet and takes longer for as many.
+constexpr std::uint64_t kLongWayBack = 100'000;
 
 std::uint64_t cubesOf(const Document& document) {
     std::uint64_t cubes = 0;
@@ -15,11 +18,11 @@ std::uint64_t cubesOf(const Document& document) {
     return cubes;
 }
 
-bool isLongStep(const Document& document, const Action& action,
+bool isLongStep(const Document& document, const Action& action, std::uint64_t mostChanges,
                 SceneState SceneEdit::*after = &SceneEdit::after) {
     return std::ranges::any_of(action.parts, [&](const ActionPart& part) {
         if (const auto* patch = std::get_if<VoxelPatch>(&part)) {
-            return patch->changes.size() > kLongStepVoxels;
+            return patch->changes.size() > mostChanges;
         }
         const auto* scene = std::get_if<SceneEdit>(&part);
         return scene != nullptr && cubesOf(document) > kManyCubes &&
@@ -30,16 +33,17 @@ bool isLongStep(const Document& document, const Action& action,
 }  // namespace
 
 bool Session::isLong(const Action& action) const {
-    return action.makePatches || isLongStep(document(), action);
+    return action.makePatches || isLongStep(document(), action, kLongStepVoxels);
 }
 
 bool Session::undoIsLong() const {
-    return history_.canUndo() &&
-           isLongStep(document(), history_.steps()[history_.position() - 1], &SceneEdit::before);
+    return history_.canUndo() && isLongStep(document(), history_.steps()[history_.position() - 1],
+                                            kLongWayBack, &SceneEdit::before);
 }
 
 bool Session::redoIsLong() const {
-    return history_.canRedo() && isLongStep(document(), history_.steps()[history_.position()]);
+    return history_.canRedo() &&
+           isLongStep(document(), history_.steps()[history_.position()], kLongWayBack);
 }
 
 Result<std::shared_ptr<Session::Prepared>> Session::derived(Result<PreparedStep> step, int shown,

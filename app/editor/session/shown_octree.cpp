@@ -19,8 +19,8 @@ bool editComesBefore(const Edit& a, const Edit& b) {
 
 void sortOnce(std::vector<Edit>& edits) {
     if (!std::ranges::is_sorted(edits, editComesBefore)) std::ranges::sort(edits, editComesBefore);
-    const auto repeated = std::ranges::unique(edits, {}, &Edit::voxel);
-    edits.erase(repeated.begin(), repeated.end());
+    const auto sameVoxel = [](const Edit& a, const Edit& b) { return a.voxel == b.voxel; };
+    edits.erase(std::unique(edits.begin(), edits.end(), sameVoxel), edits.end());
 }
 
 // What leads from showing `before` to showing `after`; what only `before` has goes back to the
@@ -73,8 +73,14 @@ OctreeChanges ShownOctree::takeChanges() {
 
 void ShownOctree::follow(const LiveOctree& document, std::span<const Edit> edits) {
     endAnother();
+    if (previewed_.empty()) {
+        // The document's octree holds these voxels, but this one's may have more holes.
+        if (!octree_.apply(edits)) reset(document);
+        return;
+    }
     // What was previewed is often what was then done: nothing is left to change.
     std::vector<Edit> stale;
+    stale.reserve(previewed_.size() + edits.size());
     const auto add = [&](glm::ivec3 voxel) {
         const std::uint8_t material = document.at(voxel);
         if (octree_.at(voxel) != material) stale.push_back({voxel, material});
@@ -83,7 +89,6 @@ void ShownOctree::follow(const LiveOctree& document, std::span<const Edit> edits
     for (const Edit& edit : edits) add(edit.voxel);
     previewed_.clear();
     filled_ = {};
-    // The document's octree holds these voxels, but this one's may have more holes.
     if (!octree_.apply(stale)) reset(document);
 }
 

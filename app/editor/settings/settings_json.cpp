@@ -137,6 +137,7 @@ void describe(Archive archive, SheetSettings& sheet) {
     archive.field("depths", sheet.depths);
     archive.field("indices", sheet.indices);
     archive.field("turntable", sheet.turntable);
+    archive.choice("turntable_kind", sheet.turntableKind, TurntableKind::gif);
     archive.number("turntable_ms", sheet.turntableMilliseconds, 1, 65535);
     archive.number("magnify", sheet.magnify, 1, 32);
 }

@@ -10,6 +10,7 @@
 
 namespace voxprite::editor {
 
+enum class TurntableKind : std::uint8_t { png, gif };
 enum class SheetOutline : std::uint8_t { asInGame, on, off };
 
 struct SheetSettings {
@@ -27,6 +28,7 @@ struct SheetSettings {
     bool depths = false;
     bool indices = false;
     bool turntable = false;
+    TurntableKind turntableKind = TurntableKind::png;
     int turntableMilliseconds = 80;
     int magnify = 4;  // of the turntable
     bool operator==(const SheetSettings&) const = default;

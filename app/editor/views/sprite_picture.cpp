@@ -11,8 +11,8 @@ namespace voxprite::editor {
 namespace {
 
 // The document's entity as the view shows it.
-Result<SpriteView> viewOf(const Session& session, const Camera& camera, ViewHistory& history) {
-    const GameProfile& profile = session.profile();
+Result<SpriteView> viewOf(const Session& session, const GameProfile& profile, const Camera& camera,
+                          ViewHistory& history) {
     PlacedEntity placed = placeEntity(session.document().entity, session.bounds(), profile);
     placed.anchorMetres.y += groundClearanceMetres(profile);
     const Result<SpriteViewResult> seen = viewSprite(placed, camera, profile, &history);
@@ -23,12 +23,11 @@ Result<SpriteView> viewOf(const Session& session, const Camera& camera, ViewHist
 
 }  // namespace
 
-Result<Image> spritePicture(const Session& session, const Camera& camera, ViewHistory history,
-                            int scale) {
-    const Result<SpriteView> seen = viewOf(session, camera, history);
+Result<Image> spritePicture(const Session& session, const GameProfile& profile,
+                            const Camera& camera, ViewHistory history, int scale) {
+    const Result<SpriteView> seen = viewOf(session, profile, camera, history);
     if (!seen) return Failure(seen.error());
     const SpriteView& view = *seen;
-    const GameProfile& profile = session.profile();
     const LitPalette lit =
         litPalette(session.shownPalette(), view.light8, profile.outline, profile.shading);
     const SpriteBuffer buffer =
@@ -45,7 +44,7 @@ Result<Image> spritePicture(const Session& session, const Camera& camera, ViewHi
 
 std::uint8_t colourUnder(const Session& session, const Camera& camera, ViewHistory history,
                          glm::dvec2 viewPx) {
-    const Result<SpriteView> view = viewOf(session, camera, history);
+    const Result<SpriteView> view = viewOf(session, session.profile(), camera, history);
     if (!view) return 0;
     const std::optional<glm::ivec2> pixel = pixelUnder(*view, camera, viewPx);
     if (!pixel) return 0;

@@ -7,11 +7,12 @@
 
 namespace voxprite::editor {
 
-// Of the document (not of an edit that is only being shown), cut to what is not transparent. The
+// Of the document (not of an edit that is only being shown) as the game with this profile shows it,
+// cut to what is not transparent. The
 // history is that of the view, so that a snapped view gives the picture on the screen; it stays as
 // it is. Fails when there is nothing to see, or too much.
-[[nodiscard]] Result<Image> spritePicture(const Session& session, const Camera& camera,
-                                          ViewHistory history, int scale);
+[[nodiscard]] Result<Image> spritePicture(const Session& session, const GameProfile& profile,
+                                          const Camera& camera, ViewHistory history, int scale);
 
 // The palette index of the document's voxel under a point of the view; 0 where the sprite is empty
 // or its outline runs.

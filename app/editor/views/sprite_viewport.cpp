@@ -227,9 +227,18 @@ ViewHistory SpriteViewport::history(const SceneSettings& settings) const {
     return cells_[cell].histories.front();
 }
 
-Result<Image> SpriteViewport::picture(const Session& session, const SceneSettings& settings) const {
-    return spritePicture(session, camera_.camera(cellPx()), history(settings),
-                         settings.pictureScale);
+Result<Image> SpriteViewport::picture(const Session& session,
+                                      const EditorSettings& settings) const {
+    const SceneSettings& scene = settings.scene;
+    const Camera camera = camera_.camera(cellPx());
+    if (showsSides(settings.trade) && settings.trade.side == SideShown::b) {
+        const GameProfile profile = trade::profileWith(session.profile(), *settings.trade.b);
+        const auto& histories = cellB_.histories;
+        return spritePicture(session, profile, camera,
+                             histories.empty() ? ViewHistory() : histories.front(),
+                             scene.pictureScale);
+    }
+    return spritePicture(session, session.profile(), camera, history(scene), scene.pictureScale);
 }
 
 bool SpriteViewport::animates(const EditorSettings& settings) const {

@@ -54,9 +54,11 @@ class SpriteViewport {
         cellB_ = {};
     }
 
-    // The sprite as it shows, see spritePicture().
+    // The sprite as it shows, see spritePicture(): B's where B shows alone, else that of the
+    // settings in force. Stand-ins (snapshots, coarser octrees, clusters) are drawn on the screen
+    // only: the picture is the exact sprite that they stand for.
     [[nodiscard]] Result<Image> picture(const Session& session,
-                                        const SceneSettings& settings) const;
+                                        const EditorSettings& settings) const;
     [[nodiscard]] ImageClipboard& clipboard() { return clipboard_; }
 
     [[nodiscard]] const SceneStats& stats() const { return figures_.stats; }
