@@ -57,12 +57,11 @@ struct PacketTables {
     [[nodiscard]] static std::optional<PacketTables> of(const OctreeView& octree,
                                                         const LatticeView& lattice);
 
-    PacketTree tree;
-
-    int fractionBits = 0;         // of fixed-point pixels
-    double rootI = 0, rootJ = 0;  // the root's centre in pixels
     std::array<PacketLevel, kMaxOctreeDepth> levels;
+    double rootI = 0, rootJ = 0;  // the root's centre in pixels
+    PacketTree tree;
     VoxelTest voxelTest;
+    int fractionBits = 0;  // of fixed-point pixels
 
     // A ray's start modulo 2^32, mirrored: C + (i U + j V) >> kStepShift with what lies above and
     // below the shift kept apart.
