@@ -6,7 +6,7 @@ programs=$(realpath "$1") reader=$2 seconds=$3
 cd "$(dirname "$0")"
 work=$programs/work
 mkdir -p "$work/finds" "$work/corpus/$reader"
-options=(-max_total_time="$seconds" -timeout=20 -rss_limit_mb=4096 -max_len=65536
+options=(-max_total_time="$seconds" -timeout=60 -rss_limit_mb=4096 -max_len=65536
     -artifact_prefix="$work/finds/$reader-" -print_final_stats=1)
 [ ! -f "dictionaries/$reader.dict" ] || options+=(-dict="dictionaries/$reader.dict")
 export ASAN_OPTIONS=detect_container_overflow=0:allocator_may_return_null=1
