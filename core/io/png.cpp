@@ -1,5 +1,6 @@
 #include "core/io/png.h"
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -42,12 +43,32 @@ unsigned char* deflated(unsigned char* data, int size, int* packedSize, int leve
 #include <stb_image_write.h>
 
 namespace voxprite {
+namespace {
 
-Result<Image> readPng(ByteView bytes) {
-    if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+// Without empty chunks IDAT, which are allowed: when the first is one, stb copies its no bytes to
+// nowhere, which C does not allow. `bytes` have passed checkPng().
+Bytes withoutEmptyPixelChunks(ByteView bytes) {
+    constexpr std::size_t kSignature = 8, kAround = 12;  // length, name and checksum of a chunk
+    Bytes kept(bytes.begin(), bytes.begin() + kSignature);
+    for (std::size_t at = kSignature; at + kAround <= bytes.size();) {
+        const std::size_t length = std::size_t{bytes[at]} << 24 | std::size_t{bytes[at + 1]} << 16 |
+                                   std::size_t{bytes[at + 2]} << 8 | bytes[at + 3];
+        const ByteView chunk = bytes.subspan(at, std::min(length + kAround, bytes.size() - at));
+        const bool pixels = std::memcmp(chunk.data() + 4, "IDAT", 4) == 0;
+        if (!(pixels && length == 0)) kept.insert(kept.end(), chunk.begin(), chunk.end());
+        at += chunk.size();
+    }
+    return kept;
+}
+
+}  // namespace
+
+Result<Image> readPng(ByteView file) {
+    if (file.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
         return fail("the PNG file is larger than 2 GiB");
     }
-    if (Status s = checkPng(bytes, kMaxPngEdge); !s) return tl::unexpected(s.error());
+    if (Status s = checkPng(file, kMaxPngEdge); !s) return tl::unexpected(s.error());
+    const Bytes bytes = withoutEmptyPixelChunks(file);
     int width = 0;
     int height = 0;
     int channels = 0;

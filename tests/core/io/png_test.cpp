@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "tests/support/png_builder.h"
 #include "tests/support/random.h"
 #include "tests/support/temporary_folder.h"
@@ -61,6 +64,22 @@ TEST(Png, OtherPixelFormatsAreConverted) {
     EXPECT_EQ(
         readPng(handmadePng(1, 1, 16, 2, {0, 0x12, 0x34, 0xAB, 0xCD, 0xFF, 0xFF})).value().at(0, 0),
         Rgba8(0x12, 0xAB, 0xFF, 255));
+}
+
+// Found by the fuzzer.
+TEST(Png, EmptyChunksOfPixelsAreNothing) {
+    const Bytes plain = handmadePng(2, 1, 8, 0, {0, 10, 200});
+    Bytes empty;
+    putPngChunk(empty, "IDAT", {});
+    constexpr std::string_view kName = "IDAT";
+    const auto name = std::search(plain.begin(), plain.end(), kName.begin(), kName.end());
+    const auto chunk = static_cast<std::size_t>(name - plain.begin()) - 4;
+    Bytes padded(plain.begin(), plain.begin() + static_cast<std::ptrdiff_t>(chunk));
+    padded.insert(padded.end(), empty.begin(), empty.end());
+    padded.insert(padded.end(), plain.begin() + static_cast<std::ptrdiff_t>(chunk), plain.end());
+    const Result<Image> image = readPng(padded);
+    ASSERT_TRUE(image) << image.error().describe();
+    EXPECT_EQ(*image, readPng(plain).value());
 }
 
 TEST(Png, SizesAreCheckedBeforeMemoryIsTaken) {
