@@ -6,11 +6,30 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
 #include <filesystem>
+#include <fstream>
+#include <thread>
 
 #include "app/cli/stopwatch.h"
 
 namespace voxprite::bench {
+
+namespace {
+
+// The most memory that a running program has had so far, as Linux counts it; 0 when it has ended.
+// (What wait4() tells would be no less than this program's own peak, from before the other began.)
+std::uint64_t peakOf(pid_t program) {
+    std::ifstream status("/proc/" + std::to_string(program) + "/status");
+    for (std::string line; std::getline(status, line);) {
+        if (line.starts_with("VmHWM:")) return 1024 * std::stoull(line.substr(6));
+    }
+    return 0;
+}
+
+}  // namespace
 
 ProgramRun runProgram(const std::vector<std::string>& arguments) {
     std::vector<char*> argv;
@@ -30,7 +49,11 @@ ProgramRun runProgram(const std::vector<std::string>& arguments) {
     if (!run.started) return run;
     int status = 0;
     rusage usage{};
-    while (wait4(child, &status, 0, &usage) < 0 && errno == EINTR) {
+    while (true) {
+        const pid_t ended = wait4(child, &status, WNOHANG, &usage);
+        if (ended == child || (ended < 0 && errno != EINTR)) break;
+        run.peakBytes = std::max(run.peakBytes, peakOf(child));
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     run.ms = watch.milliseconds();
     run.succeeded = WIFEXITED(status) && WEXITSTATUS(status) == 0;
@@ -38,7 +61,6 @@ ProgramRun runProgram(const std::vector<std::string>& arguments) {
         return 1e3 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_usec);
     };
     run.cpuMs = ms(usage.ru_utime) + ms(usage.ru_stime);
-    run.peakBytes = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts KiB
     return run;
 }
 
