@@ -200,25 +200,22 @@ TEST_F(EditorInAWindow, AsksWhatVoxelsAMeshShallBecome) {
     ASSERT_NO_FATAL_FAILURE(openBox());
     const std::filesystem::path mesh = file("box.obj");
     ASSERT_TRUE(saveDocument(mesh, document, GameProfile{}));
-    key("ctrl+o");
-    ASSERT_NO_FATAL_FAILURE(awaitDialog("browser"));
-    static_cast<void>(centreOf("browser.name"));
-    key("ctrl+a");
-    type(mesh.string());
-    click(centreOf("browser.accept"));
-    ASSERT_NO_FATAL_FAILURE(awaitDialog("import"));
+    const auto askForMesh = [&] {
+        key("ctrl+o");
+        ASSERT_NO_FATAL_FAILURE(awaitDialog("browser"));
+        static_cast<void>(centreOf("browser.name"));
+        key("ctrl+a");
+        type(mesh.string());
+        click(centreOf("browser.accept"));
+        ASSERT_NO_FATAL_FAILURE(awaitDialog("import"));
+    };
+    ASSERT_NO_FATAL_FAILURE(askForMesh());
     key("Escape");
     ASSERT_NO_FATAL_FAILURE(awaitDialog(""));
     EXPECT_EQ(state().at("file"), file("box.vox").string());
 
     // Solid, at twice the box's own resolution: twice as many voxels along each side.
-    key("ctrl+o");
-    ASSERT_NO_FATAL_FAILURE(awaitDialog("browser"));
-    static_cast<void>(centreOf("browser.name"));
-    key("ctrl+a");
-    type(mesh.string());
-    click(centreOf("browser.accept"));
-    ASSERT_NO_FATAL_FAILURE(awaitDialog("import"));
+    ASSERT_NO_FATAL_FAILURE(askForMesh());
     click(centreOf("import.filling.1"));
     const glm::ivec2 number = centreOf("import.resolution");
     clickWith("ctrl", number);

@@ -3,7 +3,6 @@
 // casters take turns on one picture after another; a figure is the sum over pictures of each one's
 // shortest time, which on one thread is the thread's own (what else the machine does counts
 // little).
-#include <time.h>
 
 #include <algorithm>
 #include <array>
@@ -22,6 +21,7 @@
 #include "app/cli/bench/volume_rivals.h"
 #include "app/cli/stopwatch.h"
 #include "core/base/parallel.h"
+#include "core/base/thread_stopwatch.h"
 #include "core/sprite/sprite_outline.h"
 #include "core/sprite/sprite_view.h"
 #include "core/sprite/voxel_placement.h"
@@ -190,12 +190,6 @@ Caster packetCaster(const OctreeView& octree) {
             }};
 }
 
-double threadMs() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
-
 double shareDiffering(const Materials& a, const Materials& b) {
     std::size_t count = 0;
     for (std::size_t k = 0; k < a.size(); ++k) count += a[k] != b[k] ? 1 : 0;
@@ -274,11 +268,11 @@ class CastBench {
                     if (!often && threads > 1) continue;
                     Materials hits(count);
                     const cli::Stopwatch wall;
-                    const double before = threadMs();
+                    const ThreadStopwatch own;
                     counters_.start();
                     (caster.*castPicture)(view, threads, hits);
                     const HardwareCounters::Counts counts = counters_.stop();
-                    const double ms = threads == 1 ? threadMs() - before : wall.milliseconds();
+                    const double ms = threads == 1 ? own.milliseconds() : wall.milliseconds();
                     double& best = shortest.try_emplace({caster.name, threads}, ms).first->second;
                     best = std::min(best, ms);
                     if (round != 0) continue;
@@ -302,13 +296,12 @@ class CastBench {
         double spriteMs = std::numeric_limits<double>::max();
         double outlineMs = spriteMs;
         for (int round = 0; round < (effort_.quick ? 3 : 8); ++round) {
-            double before = threadMs();
+            ThreadStopwatch own;
             SpriteBuffer sprite = castSprite(octree_, view.lattice, bare, 1);
-            spriteMs = std::min(spriteMs, threadMs() - before);
+            spriteMs = std::min(spriteMs, own.lapMilliseconds());
             const PixelBits opaque = opaquePixels(sprite);
-            before = threadMs();
             drawOutline(opaque, Rgba8(255), sprite);
-            outlineMs = std::min(outlineMs, threadMs() - before);
+            outlineMs = std::min(outlineMs, own.lapMilliseconds());
         }
         spriteMs_ += spriteMs;
         outlineMs_ += outlineMs;
