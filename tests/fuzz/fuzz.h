@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <string_view>
 
 #include "core/base/bytes.h"
@@ -40,6 +41,11 @@ inline bool isSmall(const Document& document) {
     std::uint64_t voxels = 0;
     for (const Model& model : document.models) voxels += model.voxels.solidCount();
     return voxels <= 20'000 && document.nodes.size() <= 200;
+}
+
+// True of one input in `count`, always of the same ones: for what takes much longer than reading.
+inline bool isOneIn(std::uint64_t count, ByteView bytes) {
+    return std::hash<std::string_view>()(textOf(bytes)) % count == 0;
 }
 
 }  // namespace voxprite::fuzz
