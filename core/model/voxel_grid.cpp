@@ -23,6 +23,8 @@ namespace {
 //
 // A voxel is active exactly when its value is not 0, tiles included.
 using Tree = openvdb::tree::Tree4<std::uint8_t, 3, 3, 3>::Type;
+using Upper = Tree::RootNodeType::ChildNodeType;  // of 512 voxels an edge
+using Lower = Upper::ChildNodeType;               // of 64
 using Leaf = Tree::LeafNodeType;
 using Writer = openvdb::tree::ValueAccessor<Tree, /*IsSafe=*/false>;
 using ConstReader = openvdb::tree::ValueAccessor<const Tree, /*IsSafe=*/false>;
@@ -31,7 +33,7 @@ constexpr int kLeafEdge = 8;
 constexpr int kBranching = 8;
 constexpr std::size_t kLeafVoxels = 512;
 static_assert(Leaf::DIM == kLeafEdge && Leaf::NUM_VALUES == kLeafVoxels);
-static_assert(Tree::RootNodeType::ChildNodeType::DIM == 512);
+static_assert(Upper::DIM == 512 && Lower::DIM == 64);
 
 openvdb::Coord coord(glm::ivec3 v) {
     return {v.x, v.y, v.z};
@@ -69,20 +71,36 @@ void visitNode(const Node& node, const VisitTile& visitTile, const VisitLeaf& vi
 
 template <class VisitTile, class VisitLeaf>
 void visitTree(const Tree& tree, const VisitTile& visitTile, const VisitLeaf& visitLeaf) {
-    using Child = Tree::RootNodeType::ChildNodeType;
     for (auto cell = tree.root().cbeginChildAll(); cell; ++cell) {
         std::uint8_t value = 0;
-        if (const Child* child = cell.probeChild(value)) {
+        if (const Upper* child = cell.probeChild(value)) {
             visitNode(*child, visitTile, visitLeaf);
         } else if (value != 0) {
             visitTile(
-                VoxelBlock{vector(cell.getCoord()), static_cast<int>(Child::DIM), value, nullptr});
+                VoxelBlock{vector(cell.getCoord()), static_cast<int>(Upper::DIM), value, nullptr});
         }
     }
 }
 
+VoxelBlock blockFromLeaf(const Leaf& leaf, glm::ivec3 origin) {
+    // A mask is nothing but its words.
+    static_assert(sizeof(Leaf::NodeMaskType) == kLeafVoxels / 8);
+    return {origin, kLeafEdge, 0, leaf.buffer().data(),
+            reinterpret_cast<const std::uint64_t*>(&leaf.valueMask())};
+}
+
 VoxelBlock blockFromLeaf(const Leaf& leaf) {
-    return {vector(leaf.origin()), kLeafEdge, 0, leaf.buffer().data()};
+    return blockFromLeaf(leaf, vector(leaf.origin()));
+}
+
+// Of a node with 8 x 8 x 8 children, word x of a mask: the bits (y << 3 | z) of those in [low,
+// high], bounds included.
+std::uint64_t layerBits(glm::ivec3 low, glm::ivec3 high) {
+    if (low.y > high.y || low.z > high.z) return 0;
+    constexpr std::uint64_t kAll = ~std::uint64_t{0};
+    const std::uint64_t rows = kAll >> (8 * (7 - high.y + low.y)) << (8 * low.y);
+    const std::uint64_t row = 0xFFu >> (7 - high.z + low.z) << low.z;
+    return rows & row * 0x0101'0101'0101'0101u;
 }
 
 // Of the solid voxels of a leaf that has some: word x of its mask has the bit (y << 3 | z).
@@ -291,16 +309,12 @@ bool VoxelGrid::empty() const {
 }
 
 std::size_t VoxelGrid::bytes() const {
-    using Upper = Tree::RootNodeType::ChildNodeType;
-    using Lower = Upper::ChildNodeType;
     const std::vector<openvdb::Index32> nodes = impl_->tree().nodeCount();  // leaves first
     return sizeof(Impl) + nodes[0] * (sizeof(Leaf) + kLeafVoxels) + nodes[1] * sizeof(Lower) +
            nodes[2] * sizeof(Upper);
 }
 
 IBox VoxelGrid::bounds() const {
-    using Upper = Tree::RootNodeType::ChildNodeType;
-    using Lower = Upper::ChildNodeType;
     openvdb::CoordBBox leaves;  // in whole leaves: what is inside what was seen is passed over
     impl_->tree().root().evalActiveBoundingBox(leaves, false);
     if (leaves.empty()) return {};
@@ -344,6 +358,58 @@ VoxelBlock VoxelGrid::blockAt(glm::ivec3 v) const {
 
 void VoxelGrid::forEachBlock(const std::function<void(const VoxelBlock&)>& visit) const {
     visitTree(impl_->tree(), visit, [&](const Leaf& leaf) { visit(blockFromLeaf(leaf)); });
+}
+
+void VoxelGrid::forEachRegion(const std::function<void(const VoxelRegion&)>& visit) const {
+    for (auto cell = impl_->tree().root().cbeginChildAll(); cell; ++cell) {
+        std::uint8_t value = 0;
+        const Upper* upper = cell.probeChild(value);
+        if (upper == nullptr) {
+            if (value != 0) visit({vector(cell.getCoord()), Upper::DIM, value, 0, nullptr});
+            continue;
+        }
+        for (auto tile = upper->cbeginValueOn(); tile; ++tile) {
+            visit({vector(tile.getCoord()), Lower::DIM, tile.getValue(), 0, nullptr});
+        }
+        for (auto lower = upper->cbeginChildOn(); lower; ++lower) {
+            const auto occupied = lower->getChildMask() | lower->getValueMask();
+            visit({vector(lower.getCoord()), Lower::DIM, 0, static_cast<int>(occupied.countOn()),
+                   &*lower});
+        }
+    }
+}
+
+void VoxelGrid::forEachBlockIn(const VoxelRegion& region, const IBox& box,
+                               const std::function<void(const VoxelBlock&)>& visit) {
+    const Lower& node = *static_cast<const Lower*>(region.blocks);
+    const IBox part = box.intersected({region.origin, region.origin + region.edgeVoxels});
+    if (part.empty()) return;
+    const glm::ivec3 low = (part.min - region.origin) / kLeafEdge;
+    const glm::ivec3 high = (part.max - 1 - region.origin) / kLeafEdge;
+    const std::uint64_t layer = layerBits(low, high);
+    for (int x = low.x; x <= high.x; ++x) {
+        const auto word = static_cast<openvdb::Index>(x);
+        const std::uint64_t leaves = node.getChildMask().getWord<openvdb::Index64>(word) & layer;
+        const std::uint64_t tiles = node.getValueMask().getWord<openvdb::Index64>(word) & layer;
+        const auto leafAt = [&](int bit) -> const Leaf& {
+            return *node.getTable()[x << 6 | bit].getChild();
+        };
+        // They lie anywhere in memory: asked for all at once they come much sooner.
+        for (std::uint64_t rest = leaves; rest != 0; rest &= rest - 1) {
+            const auto* leaf = reinterpret_cast<const char*>(&leafAt(std::countr_zero(rest)));
+            __builtin_prefetch(leaf);
+            __builtin_prefetch(leaf + sizeof(Leaf) - 1);
+        }
+        for (std::uint64_t rest = leaves | tiles; rest != 0; rest &= rest - 1) {
+            const int bit = std::countr_zero(rest);
+            const glm::ivec3 origin = region.origin + kLeafEdge * glm::ivec3(x, bit >> 3, bit & 7);
+            if ((leaves >> bit & 1u) == 0) {
+                visit({origin, kLeafEdge, node.getTable()[x << 6 | bit].getValue(), nullptr});
+            } else if (const Leaf& leaf = leafAt(bit); !leaf.isEmpty()) {
+                visit(blockFromLeaf(leaf, origin));
+            }
+        }
+    }
 }
 
 void VoxelGrid::forEachSolid(

@@ -22,12 +22,25 @@ inline constexpr int kMaxCoordinate = 1 << 24;
 // A cube of voxels handed out by forEachBlock or blockAt, aligned to its edge, a power of eight.
 // When `voxels` is null every voxel in the cube is `uniformValue` (never 0); else edgeVoxels is 8
 // and the value at origin + (x, y, z) is voxels[(x << 6) | (y << 3) | z]. `voxels` points into the
-// grid itself and stays valid until the grid next changes.
+// grid itself and stays valid until the grid next changes; so does `solid`, eight words that say
+// which of these voxels are not 0: bit (y << 3) | z of word x.
 struct VoxelBlock {
     glm::ivec3 origin{0};
     int edgeVoxels = 8;
     std::uint8_t uniformValue = 0;
     const std::uint8_t* voxels = nullptr;
+    const std::uint64_t* solid = nullptr;  // null where `voxels` is
+};
+
+// A cube handed out by forEachRegion, aligned to its edge: one of 64 voxels with blocks of eight in
+// it, or, when `blocks` is null, one of 64 or 512 voxels that are all `uniformValue` (never 0).
+// Valid until the grid next changes.
+struct VoxelRegion {
+    glm::ivec3 origin{0};
+    int edgeVoxels = 64;
+    std::uint8_t uniformValue = 0;
+    int blockCount = 0;            // of 512; a few may turn out to hold nothing
+    const void* blocks = nullptr;  // the grid's own
 };
 
 // Reading from several threads at once is safe; writing is not. A grid that was moved from may only
@@ -62,7 +75,12 @@ class VoxelGrid {
     [[nodiscard]] VoxelBlock blockAt(glm::ivec3 v) const;
     // Every block that holds solid voxels, in a fixed order that depends on the voxels alone.
     void forEachBlock(const std::function<void(const VoxelBlock&)>& visit) const;
-    // Every solid voxel, in that order.
+    // The same in larger cubes, for whoever wants only a part of the blocks, or another order.
+    void forEachRegion(const std::function<void(const VoxelRegion&)>& visit) const;
+    // The blocks of eight in `region`, which is not uniform, that touch `box` and hold something.
+    static void forEachBlockIn(const VoxelRegion& region, const IBox& box,
+                               const std::function<void(const VoxelBlock&)>& visit);
+    // Every solid voxel, in the order of blocks.
     void forEachSolid(const std::function<void(glm::ivec3 v, std::uint8_t value)>& visit) const;
 
     // The same voxels (how they are stored does not count).

@@ -30,28 +30,14 @@ class Baker {
   public:
     Baker(const VoxelGrid& voxels, const IBox& bounds)
         : bounds_(bounds), builder_(depthForSize(bounds.size())) {
-        voxels.forEachBlock([this](const VoxelBlock& block) { blocks_.push_back(block); });
-        // Those of one region come one after another.
-        std::size_t first = 0;
-        while (first < blocks_.size()) {
-            const VoxelBlock& head = blocks_[first];
-            std::size_t last = first + 1;
-            if (head.edgeVoxels >= kRegionEdge) {
-                addSource({head.origin, head.edgeVoxels, head.uniformValue, {}});
-            } else {
-                while (last < blocks_.size() && isInRegionOf(head, blocks_[last])) ++last;
-                addSource({regionOf(head), kRegionEdge, 0,
-                           std::span(blocks_).subspan(first, last - first)});
-            }
-            first = last;
-        }
+        voxels.forEachRegion([this](const VoxelRegion& region) { addSource(region); });
     }
 
     Result<Octree> run(int threads) {
-        const bool small = threads <= 0 && blocks_.size() < kBlocksForThreads;
+        const bool small = threads <= 0 && blocks_ < kBlocksForThreads;
         if (small || threads == 1 || builder_.maxDepth() < 7) {
             RegionBaker regions(bounds_, builder_);
-            builder_.reserve(blocks_.size());
+            builder_.reserve(blocks_);
             const std::uint32_t root = cube(builder_, 0, glm::ivec3(0), 0, [&](const Job& job) {
                 return regions.bake(job.min, job.sources);
             });
@@ -61,17 +47,11 @@ class Baker {
     }
 
   private:
-    [[nodiscard]] static glm::ivec3 regionOf(const VoxelBlock& block) {
-        return block.origin & ~(kRegionEdge - 1);
-    }
-    [[nodiscard]] static bool isInRegionOf(const VoxelBlock& head, const VoxelBlock& block) {
-        return block.edgeVoxels < kRegionEdge && regionOf(block) == regionOf(head);
-    }
     void addSource(const VoxelRegion& region) {
         const IBox box = bounds_.intersected({region.origin, region.origin + region.edgeVoxels});
-        if (!box.empty()) {
-            pending_.push_back({{box.min - bounds_.min, box.max - bounds_.min}, region});
-        }
+        if (box.empty()) return;
+        pending_.push_back({{box.min - bounds_.min, box.max - bounds_.min}, region});
+        blocks_ += static_cast<std::size_t>(region.blockCount);
     }
 
     // A region of the grid, and what of it lies within the bounds, in tree space.
@@ -97,18 +77,21 @@ class Baker {
 
         // Runs of cubes of about as many blocks.
         const auto workers = static_cast<std::size_t>(threads > 0 ? threads : hardwareThreads());
-        const std::size_t blocksARun = blocks_.size() / (workers * kRunsAThread) + 1;
+        const std::size_t blocksARun = blocks_ / (workers * kRunsAThread) + 1;
         std::vector<std::size_t> runs{0};
         std::vector<std::size_t> blocksOfRuns;
         std::size_t blocks = 0;
         for (std::size_t k = 0; k < jobs.size(); ++k) {
-            for (const VoxelRegion& source : jobs[k].sources) blocks += source.blocks.size();
+            for (const VoxelRegion& source : jobs[k].sources) {
+                blocks += static_cast<std::size_t>(source.blockCount);
+            }
             if (blocks < blocksARun && k + 1 < jobs.size()) continue;
             runs.push_back(k + 1);
             blocksOfRuns.push_back(std::exchange(blocks, 0U));
         }
 
-        std::vector<TreeBuilder> parts(runs.size() - 1, TreeBuilder(builder_.maxDepth()));
+        std::vector<TreeBuilder> parts;
+        while (parts.size() + 1 < runs.size()) parts.emplace_back(builder_.maxDepth());
         std::vector<std::uint32_t> words(jobs.size());
         std::atomic<std::uint64_t> nodes{0};
         parallelFor(static_cast<int>(parts.size()), threads, [&](int first, int last) {
@@ -178,7 +161,7 @@ class Baker {
         std::int64_t covered = 0;
         for (std::size_t i = first; i < pending_.size(); ++i) {
             const Source& source = pending_[i];
-            if (!source.region.blocks.empty() || source.region.uniformValue != value) return 0;
+            if (source.region.blocks != nullptr || source.region.uniformValue != value) return 0;
             covered += volume(source.box.intersected(box));
         }
         return covered == volume(box) ? value : std::uint8_t{0};
@@ -186,7 +169,7 @@ class Baker {
 
     IBox bounds_;
     TreeBuilder builder_;
-    std::vector<VoxelBlock> blocks_;
+    std::size_t blocks_ = 0;
     std::vector<Source> pending_;  // all of them, then those of the cubes on the way down
 };
 

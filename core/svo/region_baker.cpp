@@ -4,34 +4,28 @@
 #include <bit>
 #include <cstring>
 
+#include "core/svo/brick_order.h"
+
 namespace voxprite {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "rows of voxels are read as words");
 
-// Every row of a uniform block, by its value.
-constexpr auto kUniformRows = [] {
-    std::array<std::uint64_t, 256> rows{};
-    for (std::size_t value = 0; value < rows.size(); ++value) {
-        rows[value] = uniformPayload(static_cast<std::uint8_t>(value));
-    }
-    return rows;
+// Fewer bricks than this are cut out one by one.
+constexpr int kFewBricks = 16;
+
+constexpr std::array<std::uint8_t, 512> kNoVoxels{};
+constexpr std::array<std::uint64_t, 8> kNothing{};
+constexpr auto kEverything = [] {
+    std::array<std::uint64_t, 8> words{};
+    words.fill(~std::uint64_t{0});
+    return words;
 }();
-
-const std::uint8_t* uniformRow(std::uint8_t value) {
-    return reinterpret_cast<const std::uint8_t*>(&kUniformRows[value]);
-}
-
-std::uint64_t load(const std::uint8_t* row) {
-    std::uint64_t voxels = 0;
-    std::memcpy(&voxels, row, sizeof voxels);
-    return voxels;
-}
 
 // Three bits to every third place.
 constexpr unsigned spread(int bits) {
     const auto b = static_cast<unsigned>(bits);
-    return (b & 1u) | (b & 2u) << 2 | (b & 4u) << 4;
+    return (b & 1u) | (b & 2u) << 1 << 1 | (b & 4u) << 4;
 }
 constexpr int gathered(unsigned bits) {
     return static_cast<int>((bits & 1u) | (bits >> 2 & 2u) | (bits >> 4 & 4u));
@@ -40,41 +34,20 @@ glm::ivec3 cellOf(unsigned index) {
     return {gathered(index), gathered(index >> 1), gathered(index >> 2)};
 }
 
-// The one value of 512 voxels, or -1.
-int onlyValue(const std::uint8_t* voxels) {
-    return std::memcmp(voxels, voxels + 1, 511) == 0 ? voxels[0] : -1;
+// The one value of 512 voxels that are all solid, or -1.
+int onlyValue(const std::uint8_t* voxels, const std::uint64_t* solid) {
+    const bool full = (solid[0] & solid[1] & solid[2] & solid[3] & solid[4] & solid[5] & solid[6] &
+                       solid[7]) == ~std::uint64_t{0};
+    return full && std::memcmp(voxels, voxels + 1, 511) == 0 ? voxels[0] : -1;
 }
 
-using Words = std::uint64_t __attribute__((vector_size(16)));
-using Bytes = std::uint8_t __attribute__((vector_size(16)));
-using Pairs = std::uint16_t __attribute__((vector_size(16)));
-
-Bytes loadBytes(const std::uint8_t* row) {
-    return reinterpret_cast<Bytes>(Words{load(row), 0});
-}
-Bytes interleave(Bytes a, Bytes b) {
-    return __builtin_shufflevector(a, b, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
-}
-
-// Cuts 8x8x8 voxels (z fastest, then y) into payloads of bricks in the order of octants: the rows
-// at x, x + 1, y and y + 1 are interleaved byte by byte.
-void cut(const std::uint8_t* voxels, std::uint64_t* payloads) {
-    for (unsigned column = 0; column < 16; ++column) {  // bricks at the same x and y
-        const unsigned x = column & 3u;
-        const unsigned y = column >> 2;
-        const std::uint8_t* rows = voxels + (x << 7 | y << 4);
-        const auto low = reinterpret_cast<Pairs>(interleave(loadBytes(rows), loadBytes(rows + 64)));
-        const auto high =
-            reinterpret_cast<Pairs>(interleave(loadBytes(rows + 8), loadBytes(rows + 72)));
-        const Pairs first = __builtin_shufflevector(low, high, 0, 8, 1, 9, 2, 10, 3, 11);
-        const Pairs second = __builtin_shufflevector(low, high, 4, 12, 5, 13, 6, 14, 7, 15);
-        // Bricks at z = 0 and 1 differ in the low bit of z, those at 2 and 3 have its high one,
-        // too.
-        std::uint64_t* out = payloads + ((x & 1u) | (y & 1u) << 1 | (x >> 1) << 3 | (y >> 1) << 4);
-        std::memcpy(out, &first, 8);
-        std::memcpy(out + 4, reinterpret_cast<const char*>(&first) + 8, 8);
-        std::memcpy(out + 32, &second, 8);
-        std::memcpy(out + 36, reinterpret_cast<const char*>(&second) + 8, 8);
+// Large models lie in memory that no cache holds, a block anywhere: what will be read of it is
+// asked for long before.
+void prefetch(const std::uint8_t* voxels, const std::uint64_t* solid) {
+    for (int x = 0; x < 8; ++x) {
+        if (solid[x] == 0) continue;
+        __builtin_prefetch(voxels + 64 * x + std::countr_zero(solid[x]));
+        __builtin_prefetch(voxels + 64 * x + 63 - std::countl_zero(solid[x]));
     }
 }
 
@@ -87,25 +60,29 @@ std::uint32_t RegionBaker::bake(glm::ivec3 min, std::span<const VoxelRegion> sou
     const int edge = std::min(kEdge, 1 << builder_.maxDepth());
     min_ = min;
     firstBlock_ = (bounds_.min + min) & ~7;
-    blocks_.fill({uniformRow(0), 0});
+    blocks_.fill({kNoVoxels.data(), kNothing.data(), 0});
     occupied_.fill(0);
     const IBox box = bounds_.intersected({bounds_.min + min, bounds_.min + min + edge});
     for (const VoxelRegion& source : sources) {
-        if (source.blocks.empty()) putUniform(source, box);
-        for (const VoxelBlock& block : source.blocks) {
-            if (box.intersected({block.origin, block.origin + 8}).empty()) continue;
-            const bool uniform = block.voxels == nullptr;
-            put((block.origin - firstBlock_) >> 3,
-                uniform ? Block{uniformRow(block.uniformValue), 0} : Block{block.voxels, 1});
+        if (source.blocks == nullptr) {
+            putUniform(source, box);
+            continue;
         }
+        VoxelGrid::forEachBlockIn(source, box, [this](const VoxelBlock& block) {
+            if (block.voxels != nullptr) prefetch(block.voxels, block.solid);
+            put((block.origin - firstBlock_) >> 3,
+                block.voxels == nullptr
+                    ? uniformBlock(block.uniformValue)
+                    : Block{block.voxels, block.solid, onlyValue(block.voxels, block.solid)});
+        });
     }
     const int cellsAnEdge = std::max(1, edge / 8);
     return cells(builder_.maxDepth() - std::countr_zero(static_cast<unsigned>(edge)), 0,
                  static_cast<unsigned>(cellsAnEdge * cellsAnEdge * cellsAnEdge));
 }
 
-void RegionBaker::put(glm::ivec3 block, Block rows) {
-    blocks_[static_cast<std::size_t>((block.x * kBlocks + block.y) * kBlocks + block.z)] = rows;
+void RegionBaker::put(glm::ivec3 block, const Block& voxels) {
+    blocks_[static_cast<std::size_t>((block.x * kBlocks + block.y) * kBlocks + block.z)] = voxels;
     // The cells that begin in it and, when they do not begin where blocks do, those before.
     const glm::ivec3 first = glm::max(block - glm::min(offset_, glm::ivec3(1)), glm::ivec3(0));
     const glm::ivec3 last = glm::min(block, glm::ivec3(kCells - 1));
@@ -122,15 +99,23 @@ void RegionBaker::put(glm::ivec3 block, Block rows) {
 void RegionBaker::putUniform(const VoxelRegion& source, const IBox& box) {
     const IBox part = box.intersected({source.origin, source.origin + source.edgeVoxels});
     if (part.empty()) return;
+    const Block block = uniformBlock(source.uniformValue);
     const glm::ivec3 first = (part.min - firstBlock_) >> 3;
     const glm::ivec3 last = (part.max - 1 - firstBlock_) >> 3;
     for (int x = first.x; x <= last.x; ++x) {
         for (int y = first.y; y <= last.y; ++y) {
-            for (int z = first.z; z <= last.z; ++z) {
-                put({x, y, z}, {uniformRow(source.uniformValue), 0});
-            }
+            for (int z = first.z; z <= last.z; ++z) put({x, y, z}, block);
         }
     }
+}
+
+RegionBaker::Block RegionBaker::uniformBlock(std::uint8_t value) {
+    const auto found = std::find_if(uniforms_.begin(), uniforms_.end(),
+                                    [value](const auto& made) { return (*made)[0] == value; });
+    if (found != uniforms_.end()) return {(*found)->data(), kEverything.data(), value};
+    uniforms_.push_back(std::make_unique<Voxels>());
+    uniforms_.back()->fill(value);
+    return {uniforms_.back()->data(), kEverything.data(), value};
 }
 
 bool RegionBaker::anyCell(unsigned first, unsigned count) const {
@@ -149,64 +134,93 @@ std::uint32_t RegionBaker::cells(int depth, unsigned first, unsigned count) {
 std::uint32_t RegionBaker::cell(unsigned index) {
     const glm::ivec3 at = cellOf(index);
     const glm::ivec3 end = bounds_.size() - min_ - at * 8;  // of the bounds, from the cell
-    const Block* blocks =
+    const Block* block =
         &blocks_[static_cast<std::size_t>((at.x * kBlocks + at.y) * kBlocks + at.z)];
     const bool inside = end.x >= 8 && end.y >= 8 && end.z >= 8;
-    const std::uint8_t* voxels = blocks->rows;
     if (inside) {
-        const int value = valueAround(blocks);
-        if (value >= 0) return node::uniform(static_cast<std::uint8_t>(value));
+        const int value = valueAround(block);
+        if (value >= 0) return static_cast<std::uint32_t>(value);
     }
-    if (!inside || offset_ != glm::ivec3(0)) {
-        gather(blocks);
-        if (!inside) clip(end);
+    const std::uint8_t* voxels = block->voxels;
+    const std::uint64_t* solid = block->solid;
+    const bool asItLies = inside && offset_ == glm::ivec3(0);
+    if (!asItLies) {
+        if (!gatherSolid(block, end)) return 0;
+        gatherRows(block, end);
         voxels = reinterpret_cast<const std::uint8_t*>(rows_.data());
+        solid = solid_.data();
     }
-    const int value = onlyValue(voxels);
-    if (value >= 0) return node::uniform(static_cast<std::uint8_t>(value));
-    cut(voxels, payloads_.data());
-    return builder_.cube(payloads_);
+    const std::uint64_t bricks = bricksWithAny(solid);
+    const std::uint64_t full = bricksWithAll(solid);
+    if (std::popcount(bricks) < kFewBricks) {
+        return builder_.cube(bricks, full, [&](unsigned i) { return brickOf(voxels, i); });
+    }
+    cutIntoBricks(voxels, payloads_.data());
+    return builder_.cube(bricks, full, [&](unsigned i) { return payloads_[i]; });
 }
 
 int RegionBaker::valueAround(const Block* at) const {
-    const std::uint8_t value = at->rows[0];
+    const int value = at->onlyValue;
     for (int x = 0; x <= (offset_.x != 0 ? 1 : 0); ++x) {
         for (int y = 0; y <= (offset_.y != 0 ? 1 : 0); ++y) {
             for (int z = 0; z <= (offset_.z != 0 ? 1 : 0); ++z) {
-                const Block& block = at[(x * kBlocks + y) * kBlocks + z];
-                if (block.step != 0 || block.rows[0] != value) return -1;
+                if (at[(x * kBlocks + y) * kBlocks + z].onlyValue != value) return -1;
             }
         }
     }
     return value;
 }
 
-void RegionBaker::gather(const Block* at) {
-    const int shift = 8 * offset_.z;
-    std::size_t row = 0;
+bool RegionBaker::gatherSolid(const Block* at, glm::ivec3 end) {
+    // What comes from the block itself of a row of eight, and what from the next one.
+    const std::uint64_t fromFirst = 0x0101'0101'0101'0101u * (0xFFu >> offset_.z);
+    // Shifts in two steps, for nothing comes from the next block when the offset is 0.
+    const auto alongZ = [&](std::uint64_t first, std::uint64_t next) {
+        return (first >> offset_.z & fromFirst) | (next << 1 << (7 - offset_.z) & ~fromFirst);
+    };
+    const auto alongY = [&](std::uint64_t first, std::uint64_t next) {
+        return first >> 8 * offset_.y | next << 8 << 8 * (7 - offset_.y);
+    };
+    std::uint64_t kept = 0;
+    if (end.y > 0 && end.z > 0) {
+        kept = 0x0101'0101'0101'0101u * (0xFFu >> (8 - std::min(end.z, 8)));
+        kept &= ~std::uint64_t{0} >> 8 * (8 - std::min(end.y, 8));
+    }
+    std::uint64_t any = 0;
     for (int x = 0; x < 8; ++x) {
         const int inX = x + offset_.x;
-        for (int y = 0; y < 8; ++y) {
-            const int inY = y + offset_.y;
-            const Block* low = at + ((inX >> 3) * kBlocks + (inY >> 3)) * kBlocks;
-            const Block* high = low + (shift != 0 ? 1 : 0);
-            const std::ptrdiff_t place = (inX & 7) << 6 | (inY & 7) << 3;
-            // In two steps, for nothing comes from above when the shift is 0.
-            rows_[row++] = load(low->rows + place * low->step) >> shift |
-                           load(high->rows + place * high->step) << 1 << (63 - shift);
-        }
+        const Block* of = at + (inX >> 3) * kBlocks * kBlocks;
+        const int plane = inX & 7;
+        const std::uint64_t word =
+            alongY(alongZ(of[0].solid[plane], of[1].solid[plane]),
+                   alongZ(of[kBlocks].solid[plane], of[kBlocks + 1].solid[plane]));
+        solid_[static_cast<std::size_t>(x)] = x < end.x ? word & kept : 0;
+        any |= solid_[static_cast<std::size_t>(x)];
     }
+    return any != 0;
 }
 
-void RegionBaker::clip(glm::ivec3 end) {
+void RegionBaker::gatherRows(const Block* at, glm::ivec3 end) {
     const std::uint64_t kept = end.z <= 0  ? 0
                                : end.z < 8 ? ~std::uint64_t{0} >> (64 - 8 * end.z)
                                            : ~std::uint64_t{0};
     for (int x = 0; x < 8; ++x) {
-        for (int y = 0; y < 8; ++y) {
-            std::uint64_t& row = rows_[static_cast<std::size_t>(x << 3 | y)];
-            row = x < end.x && y < end.y ? row & kept : 0;
+        std::uint64_t* row = &rows_[static_cast<std::size_t>(x) << 3];
+        if (solid_[static_cast<std::size_t>(x)] == 0) {
+            std::fill(row, row + 8, 0);
+            continue;
         }
+        const int inX = x + offset_.x;
+        const Block* of = at + (inX >> 3) * kBlocks * kBlocks;
+        const int plane = (inX & 7) << 6;
+        const int split = 8 - offset_.y;
+        copyRows(of[0].voxels + plane + 8 * offset_.y, of[1].voxels + plane + 8 * offset_.y,
+                 offset_.z, split, row);
+        copyRows(of[kBlocks].voxels + plane, of[kBlocks + 1].voxels + plane, offset_.z, 8 - split,
+                 row + split);
+        if (end.y < 8) std::fill(row + std::max(end.y, 0), row + 8, 0);
+        if (end.z < 8)
+            for (int y = 0; y < 8; ++y) row[y] &= kept;
     }
 }
 

@@ -1,7 +1,5 @@
 #include "core/svo/tree_builder.h"
 
-#include <bit>
-
 #include "core/base/parallel.h"
 
 namespace voxprite {
@@ -21,69 +19,28 @@ Status checkOctreeSize(glm::ivec3 size) {
 void TreeBuilder::reserve(std::size_t cubes) {
     if (maxDepth_ < 3) return;
     // What is not needed is never touched; what is copied to a larger array is.
-    levels_[static_cast<std::size_t>(maxDepth_) - 2].reserve(8 * cubes);
-    levels_[static_cast<std::size_t>(maxDepth_) - 1].reserve(24 * cubes + 64);
-    payloads_.reserve(16 * cubes + 64);
+    static_cast<void>(levels_[static_cast<std::size_t>(maxDepth_) - 2].room(8 * cubes));
+    static_cast<void>(levels_[static_cast<std::size_t>(maxDepth_) - 1].room(24 * cubes + 72));
+    static_cast<void>(payloads_.room(16 * cubes + 72));
 }
 
-namespace {
-
-// 1 or 0. Said so that no compiler makes a branch of it, which random bricks would mislead.
-std::uint32_t isNotZero(std::uint64_t x) {
-    return static_cast<std::uint32_t>((x | (0 - x)) >> 63);
-}
-
-}  // namespace
-
-std::uint32_t TreeBuilder::cube(const std::array<std::uint64_t, 64>& payloads) {
-    if (maxDepth_ == 1) return brick(payloads[0]);
-    if (maxDepth_ == 2) {
-        return internal(0, [&](unsigned octant) { return brick(payloads[octant]); });
-    }
-    Words& fours = levels_[static_cast<std::size_t>(maxDepth_) - 2];  // cubes of four
-    Words& bricks = levels_[static_cast<std::size_t>(maxDepth_) - 1];
-    const std::size_t firstFour = fours.size();
-    const std::size_t firstBrick = bricks.size();
-    std::size_t fourCount = firstFour;
-    std::size_t brickCount = firstBrick;
-    std::size_t payloadCount = payloads_.size();
-    // One more than can be needed: everything is written, and then counted or not.
-    fours.resize(fourCount + 8);
-    bricks.resize(brickCount + 65);
-    payloads_.resize(payloadCount + 65);
-
-    std::uint32_t foursMask = 0;
+std::uint32_t TreeBuilder::internal(int depth, const std::array<std::uint32_t, 8>& children) {
+    Words& level = levels_[static_cast<std::size_t>(depth) + 1];
+    std::uint32_t* const room = level.room(8);
+    std::uint32_t mask = 0, count = 0, unlike = 0;
     for (unsigned octant = 0; octant < 8; ++octant) {
-        const std::uint64_t* const cut = &payloads[std::size_t{8} * octant];
-        if ((cut[0] | cut[1] | cut[2] | cut[3] | cut[4] | cut[5] | cut[6] | cut[7]) == 0) continue;
-        const std::size_t base = brickCount;
-        const std::size_t basePayload = payloadCount;
-        std::uint32_t mask = 0;
-        for (unsigned i = 0; i < 8; ++i) {
-            const std::uint64_t payload = cut[i];
-            const std::uint32_t solid = isNotZero(payload);
-            const std::uint32_t mixed = isNotZero(payload ^ std::rotl(payload, 8));
-            const std::uint32_t brick = node::brick(static_cast<std::uint32_t>(payloadCount));
-            const auto uniform = static_cast<std::uint32_t>(payload & 0xFF);
-            bricks[brickCount] = uniform ^ ((uniform ^ brick) & (0 - mixed));
-            payloads_[payloadCount] = payload;
-            brickCount += solid;
-            payloadCount += mixed;
-            mask |= solid << i;
-        }
-        std::uint32_t word = node::internal(static_cast<std::uint32_t>(base), mask);
-        if (mask == 0xFF && payloadCount == basePayload && allEqual(bricks, base)) {
-            word = bricks[base];
-            brickCount = base;
-        }
-        fours[fourCount++] = word;
-        foursMask |= 1u << octant;
+        const std::uint32_t word = children[octant];
+        const std::uint32_t solid = isNotZero(word);
+        room[count] = word;
+        count += solid;
+        mask |= solid << octant;
+        unlike |= word ^ children[0];
     }
-    fours.resize(fourCount);
-    bricks.resize(brickCount);
-    payloads_.resize(payloadCount);
-    nodeCount_ += fourCount - firstFour + brickCount - firstBrick;
-    return node::internal(static_cast<std::uint32_t>(firstFour), foursMask);
+    if (unlike == 0 && (node::isUniform(children[0]) || mask == 0)) return children[0];
+    const auto base = static_cast<std::uint32_t>(level.size());
+    level.add(count);
+    nodeCount_ += count;
+    return node::internal(base, mask);
 }
 
 Result<Octree> TreeBuilder::finish(std::uint32_t root, glm::ivec3 size, glm::ivec3 origin,

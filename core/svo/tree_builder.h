@@ -8,12 +8,14 @@
 // order of the subtrees they are the levels of the whole.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "core/base/raw_vector.h"
+#include "core/svo/growing_array.h"
 #include "core/svo/octree.h"
 
 namespace voxprite {
@@ -42,29 +44,19 @@ class TreeBuilder {
     // The word of an internal node at `depth`; child(octant) gives its children's words in turn.
     template <class Child>
     [[nodiscard]] std::uint32_t internal(int depth, const Child& child) {
-        Words& level = levels_[static_cast<std::size_t>(depth) + 1];
-        const std::size_t base = level.size();
-        std::uint32_t mask = 0;
-        for (unsigned octant = 0; octant < 8; ++octant) {
-            const std::uint32_t word = child(octant);
-            if (node::isEmpty(word)) continue;
-            level.push_back(word);
-            mask |= 1u << octant;
-        }
-        if (mask == 0) return 0;
-        if (mask == 0xFF && node::isUniform(level[base]) && allEqual(level, base)) {
-            const std::uint32_t word = level[base];
-            level.resize(base);
-            return word;
-        }
-        nodeCount_ += level.size() - base;
-        return node::internal(static_cast<std::uint32_t>(base), mask);
+        std::array<std::uint32_t, 8> words;
+        for (unsigned octant = 0; octant < 8; ++octant) words[octant] = child(octant);
+        return internal(depth, words);
     }
+    [[nodiscard]] std::uint32_t internal(int depth, const std::array<std::uint32_t, 8>& children);
 
     // The word of a cube of eight voxels an edge (or of the whole tree, if that is smaller, from
-    // the first of them) that is not uniform, from the payloads of its bricks in the order of
-    // octants.
-    [[nodiscard]] std::uint32_t cube(const std::array<std::uint64_t, 64>& payloads);
+    // the first of its bricks) out of 64 bricks in the order of octants. Bit i of `solid`: brick i
+    // is not empty; of `full`: it has eight voxels. payloadOf(i) is asked of those that are solid,
+    // in that order.
+    template <class PayloadOf>
+    [[nodiscard]] std::uint32_t cube(std::uint64_t solid, std::uint64_t full,
+                                     const PayloadOf& payloadOf);
 
     // Room for the nodes of so many cubes of eight, as models usually have them.
     void reserve(std::size_t cubes);
@@ -85,21 +77,82 @@ class TreeBuilder {
                                         int threads = 1) const;
 
   private:
-    using Words = RawVector<std::uint32_t>;
+    using Words = GrowingArray<std::uint32_t>;
 
-    [[nodiscard]] static bool allEqual(const Words& level, std::size_t base) {
-        for (std::size_t i = base + 1; i < base + 8; ++i) {
-            if (level[i] != level[base]) return false;
-        }
-        return true;
+    // 1 or 0. Said so that no compiler makes a branch of it, which random bricks would mislead.
+    [[nodiscard]] static std::uint32_t isNotZero(std::uint64_t x) {
+        return static_cast<std::uint32_t>((x | (0 - x)) >> 63);
     }
 
     int maxDepth_;
     // levels_[d] holds the nodes at depth d (d >= 1), child bases counted from the start of d + 1.
     std::array<Words, kMaxOctreeDepth + 1> levels_;
-    RawVector<std::uint64_t> payloads_;
+    GrowingArray<std::uint64_t> payloads_;
     std::uint64_t nodeCount_ = 1;  // the root; only nodes that have come to stay
 };
+
+template <class PayloadOf>
+std::uint32_t TreeBuilder::cube(std::uint64_t solid, std::uint64_t full,
+                                const PayloadOf& payloadOf) {
+    const auto brickOf = [&](unsigned i) {
+        return (solid >> i & 1u) != 0 ? brick(payloadOf(i)) : std::uint32_t{0};
+    };
+    if (maxDepth_ == 1) return brickOf(0);
+    if (maxDepth_ == 2) return internal(0, brickOf);
+
+    Words& fourLevel = levels_[static_cast<std::size_t>(maxDepth_) - 2];  // cubes of four
+    Words& brickLevel = levels_[static_cast<std::size_t>(maxDepth_) - 1];
+    std::uint32_t* const fours = fourLevel.room(8);
+    std::uint32_t* const bricks = brickLevel.room(64 + 8);  // the last are written eight at once
+    std::uint64_t* const payloads = payloads_.room(64 + 1);
+    const auto firstBrick = static_cast<std::uint32_t>(brickLevel.size());
+    const std::uint32_t firstWord = node::brick(static_cast<std::uint32_t>(payloads_.size()));
+    std::uint32_t* four = fours;
+    std::uint32_t* brick = bricks;
+    std::uint64_t* payload = payloads;
+    std::uint32_t foursMask = 0;
+    for (unsigned octant = 0; octant < 8; ++octant) {
+        const auto mask = static_cast<std::uint32_t>(solid >> (8 * octant) & 0xFFu);
+        if (mask == 0) continue;
+        foursMask |= 1u << octant;
+        std::uint32_t* const base = brick;
+        const std::uint32_t word =
+            node::internal(firstBrick + static_cast<std::uint32_t>(base - bricks), mask);
+        std::uint32_t nextWord = firstWord + static_cast<std::uint32_t>(payload - payloads);
+        if ((full >> (8 * octant) & 0xFFu) == 0) {  // no brick of one material
+            for (std::uint32_t rest = mask; rest != 0; rest &= rest - 1) {
+                *payload++ = payloadOf(8 * octant + static_cast<unsigned>(std::countr_zero(rest)));
+            }
+            for (unsigned i = 0; i < 8; ++i) base[i] = nextWord + i;
+            brick += std::popcount(mask);
+            *four++ = word;
+            continue;
+        }
+        std::uint32_t unlike = 0;
+        for (std::uint32_t rest = mask; rest != 0; rest &= rest - 1) {
+            *payload = payloadOf(8 * octant + static_cast<unsigned>(std::countr_zero(rest)));
+            const std::uint32_t mixed = isNotZero(*payload ^ std::rotl(*payload, 8));
+            const auto uniform = static_cast<std::uint32_t>(*payload & 0xFFu);
+            *brick = uniform ^ ((uniform ^ nextWord) & (0 - mixed));
+            payload += mixed;
+            nextWord += mixed;
+            unlike |= *brick++ ^ *base;
+        }
+        const bool collapses = mask == 0xFF && unlike == 0;  // words of mixed bricks all differ
+        *four++ = collapses ? *base : word;
+        if (collapses) brick = base;
+    }
+    if (foursMask == 0xFF && brick == bricks && std::count(fours, fours + 8, *fours) == 8) {
+        return *fours;
+    }
+    fourLevel.add(static_cast<std::size_t>(four - fours));
+    brickLevel.add(static_cast<std::size_t>(brick - bricks));
+    payloads_.add(static_cast<std::size_t>(payload - payloads));
+    nodeCount_ += static_cast<std::uint64_t>((four - fours) + (brick - bricks));
+    return node::internal(
+        static_cast<std::uint32_t>(fourLevel.size()) - static_cast<std::uint32_t>(four - fours),
+        foursMask);
+}
 
 // The voxels [shift, shift + size) of `source`, in its tree space, as a canonical octree that
 // starts at the corner `shift`. The arrays of the source need not be canonical.
