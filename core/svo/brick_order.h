@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 namespace voxprite {
 
@@ -38,6 +39,18 @@ template <unsigned high, unsigned low>
     // To: z2 y2 x2 z1 y1 x1.
     return swapIndexBits<2, 1>(swapIndexBits<4, 2>(swapIndexBits<5, 2>(word)));
 }
+
+// Where the voxels of each brick begin.
+inline constexpr auto kFirstVoxel = [] {
+    std::array<std::uint16_t, 64> first{};
+    for (unsigned i = 0; i < first.size(); ++i) {
+        const unsigned x = (i & 1u) | (i >> 2 & 2u);
+        const unsigned y = (i >> 1 & 1u) | (i >> 3 & 2u);
+        const unsigned z = (i >> 2 & 1u) | (i >> 4 & 2u);
+        first[i] = static_cast<std::uint16_t>(x << 7 | y << 4 | z << 1);
+    }
+    return first;
+}();
 
 using Words = std::uint64_t __attribute__((vector_size(16)));
 using Bytes = std::uint8_t __attribute__((vector_size(16)));
@@ -74,10 +87,7 @@ template <class Vector>
 
 // The payload of brick i.
 [[nodiscard]] inline std::uint64_t brickOf(const std::uint8_t* voxels, unsigned i) {
-    const unsigned x = (i & 1u) | (i >> 2 & 2u);
-    const unsigned y = (i >> 1 & 1u) | (i >> 3 & 2u);
-    const unsigned z = (i >> 2 & 1u) | (i >> 4 & 2u);
-    const std::uint8_t* at = voxels + (x << 7 | y << 4 | z << 1);
+    const std::uint8_t* at = voxels + brick_order::kFirstVoxel[i];
     const auto pair = [at](int offset) {
         std::uint16_t two = 0;
         std::memcpy(&two, at + offset, sizeof two);
@@ -91,32 +101,41 @@ template <class Vector>
     return payload ^ changed ^ changed << 16;
 }
 
+namespace brick_order {
+
+// The four bricks at one x and y.
+template <unsigned column>
+inline void cutColumn(const std::uint8_t* voxels, std::uint64_t* payloads) {
+    constexpr unsigned x = column & 3u;
+    constexpr unsigned y = column >> 2;
+    const std::uint8_t* rows = voxels + (x << 7 | y << 4);
+    // Two rows at x and two at x + 1, interleaved byte by byte.
+    const auto low = load<Bytes>(rows);
+    const auto high = load<Bytes>(rows + 64);
+    const auto first = reinterpret_cast<Pairs>(
+        __builtin_shufflevector(low, high, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23));
+    const auto second = reinterpret_cast<Pairs>(__builtin_shufflevector(
+        low, high, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31));
+    const auto near =
+        reinterpret_cast<Words>(__builtin_shufflevector(first, second, 0, 8, 1, 9, 2, 10, 3, 11));
+    const auto far =
+        reinterpret_cast<Words>(__builtin_shufflevector(first, second, 4, 12, 5, 13, 6, 14, 7, 15));
+    // Bricks at z = 0 and 1 differ in the low bit of z, those at 2 and 3 have its high one, too.
+    std::uint64_t* out = payloads + ((x & 1u) | (y & 1u) << 1 | (x >> 1) << 3 | (y >> 1) << 4);
+    out[0] = near[0];
+    out[4] = near[1];
+    out[32] = far[0];
+    out[36] = far[1];
+}
+
+}  // namespace brick_order
+
 // All 64 payloads, those of empty bricks included.
 inline void cutIntoBricks(const std::uint8_t* voxels, std::uint64_t* payloads) {
-    using namespace brick_order;
-    for (unsigned column = 0; column < 16; ++column) {  // bricks at the same x and y
-        const unsigned x = column & 3u;
-        const unsigned y = column >> 2;
-        const std::uint8_t* rows = voxels + (x << 7 | y << 4);
-        // Two rows at x and two at x + 1, interleaved byte by byte.
-        const auto low = load<Bytes>(rows);
-        const auto high = load<Bytes>(rows + 64);
-        const auto first = reinterpret_cast<Pairs>(__builtin_shufflevector(
-            low, high, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23));
-        const auto second = reinterpret_cast<Pairs>(__builtin_shufflevector(
-            low, high, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31));
-        const auto near = reinterpret_cast<Words>(
-            __builtin_shufflevector(first, second, 0, 8, 1, 9, 2, 10, 3, 11));
-        const auto far = reinterpret_cast<Words>(
-            __builtin_shufflevector(first, second, 4, 12, 5, 13, 6, 14, 7, 15));
-        // Bricks at z = 0 and 1 differ in the low bit of z, those at 2 and 3 have its high one,
-        // too.
-        std::uint64_t* out = payloads + ((x & 1u) | (y & 1u) << 1 | (x >> 1) << 3 | (y >> 1) << 4);
-        out[0] = near[0];
-        out[4] = near[1];
-        out[32] = far[0];
-        out[36] = far[1];
+    [&]<unsigned... column>(std::integer_sequence<unsigned, column...>) {
+        (brick_order::cutColumn<column>(voxels, payloads), ...);
     }
+    (std::make_integer_sequence<unsigned, 16>{});
 }
 
 // `count` rows of eight bytes that begin `shift` bytes after those at `first`, and end in those at

@@ -12,7 +12,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "rows of voxels are read as words");
 
 // Fewer bricks than this are cut out one by one.
-constexpr int kFewBricks = 16;
+constexpr int kFewBricks = 8;
 
 constexpr std::array<std::uint8_t, 512> kNoVoxels{};
 constexpr std::array<std::uint64_t, 8> kNothing{};
@@ -22,11 +22,8 @@ constexpr auto kEverything = [] {
     return words;
 }();
 
-// Three bits to every third place.
-constexpr unsigned spread(int bits) {
-    const auto b = static_cast<unsigned>(bits);
-    return (b & 1u) | (b & 2u) << 1 << 1 | (b & 4u) << 4;
-}
+// Three bits at every third place.
+constexpr std::array<unsigned, 8> kSpread{0, 1, 8, 9, 64, 65, 72, 73};
 constexpr int gathered(unsigned bits) {
     return static_cast<int>((bits & 1u) | (bits >> 2 & 2u) | (bits >> 4 & 4u));
 }
@@ -84,14 +81,16 @@ std::uint32_t RegionBaker::bake(glm::ivec3 min, std::span<const VoxelRegion> sou
 void RegionBaker::put(glm::ivec3 block, const Block& voxels) {
     blocks_[static_cast<std::size_t>((block.x * kBlocks + block.y) * kBlocks + block.z)] = voxels;
     // The cells that begin in it and, when they do not begin where blocks do, those before.
+    const auto mark = [this](int x, int y, int z) {
+        const unsigned index = kSpread[x] | kSpread[y] << 1 | kSpread[z] << 2;
+        occupied_[index >> 6] |= std::uint64_t{1} << (index & 63u);
+    };
+    if (offset_ == glm::ivec3(0)) return mark(block.x, block.y, block.z);
     const glm::ivec3 first = glm::max(block - glm::min(offset_, glm::ivec3(1)), glm::ivec3(0));
     const glm::ivec3 last = glm::min(block, glm::ivec3(kCells - 1));
     for (int x = first.x; x <= last.x; ++x) {
         for (int y = first.y; y <= last.y; ++y) {
-            for (int z = first.z; z <= last.z; ++z) {
-                const unsigned index = spread(x) | spread(y) << 1 | spread(z) << 2;
-                occupied_[index >> 6] |= std::uint64_t{1} << (index & 63u);
-            }
+            for (int z = first.z; z <= last.z; ++z) mark(x, y, z);
         }
     }
 }

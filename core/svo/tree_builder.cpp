@@ -1,5 +1,7 @@
 #include "core/svo/tree_builder.h"
 
+#include <cstring>
+
 #include "core/base/parallel.h"
 
 namespace voxprite {
@@ -42,6 +44,24 @@ std::uint32_t TreeBuilder::internal(int depth, const std::array<std::uint32_t, 8
     nodeCount_ += count;
     return node::internal(base, mask);
 }
+
+namespace {
+
+// Words of this kind grow by `added`, the others are copied as they are.
+void copyAdding(std::span<const std::uint32_t> words, std::uint32_t kind, std::uint32_t added,
+                std::uint32_t* to) {
+    using Four = std::uint32_t __attribute__((vector_size(16)));
+    std::size_t i = 0;
+    for (; i + 4 <= words.size(); i += 4) {
+        Four four;
+        std::memcpy(&four, &words[i], sizeof four);
+        four += reinterpret_cast<Four>((four & kind) == kind) & added;
+        std::memcpy(to + i, &four, sizeof four);
+    }
+    for (; i < words.size(); ++i) to[i] = words[i] + ((words[i] & kind) != 0 ? added : 0);
+}
+
+}  // namespace
 
 Result<Octree> TreeBuilder::finish(std::uint32_t root, glm::ivec3 size, glm::ivec3 origin,
                                    std::span<const TreeBuilder> parts, int threads) const {
@@ -87,10 +107,7 @@ Result<Octree> TreeBuilder::finish(std::uint32_t root, glm::ivec3 size, glm::ive
     octree.nodes[0] = node::isInternal(root) ? root + (1u << 8) : root;
     parallelFor(static_cast<int>(jobs.size()), threads, [&](int first, int last) {
         for (const Job& job : std::span(jobs).subspan(first, last - first)) {
-            std::uint32_t* to = &octree.nodes[job.at];
-            for (const std::uint32_t word : *job.words) {
-                *to++ = word + ((word & job.kind) != 0 ? job.added : 0);
-            }
+            copyAdding(*job.words, job.kind, job.added, &octree.nodes[job.at]);
         }
     });
     octree.payloads.reserve(payloads);
