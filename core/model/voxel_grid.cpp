@@ -103,30 +103,25 @@ std::uint64_t layerBits(glm::ivec3 low, glm::ivec3 high) {
     return rows & row * 0x0101'0101'0101'0101u;
 }
 
-// Of the solid voxels of a leaf that has some: word x of its mask has the bit (y << 3 | z).
-IBox boundsOf(const Leaf& leaf) {
+// Around the bits of a mask that has some: word x has the bit (y << 3 | z).
+IBox boundsOf(const Leaf::NodeMaskType& mask) {
     glm::ivec3 low(kLeafEdge), high(0);
     std::uint64_t across = 0;
     for (int x = 0; x < kLeafEdge; ++x) {
-        const auto word =
-            leaf.valueMask().getWord<openvdb::Index64>(static_cast<openvdb::Index>(x));
+        const auto word = mask.getWord<openvdb::Index64>(static_cast<openvdb::Index>(x));
         if (word == 0) continue;
         across |= word;
         low.x = std::min(low.x, x);
         high.x = x + 1;
     }
-    std::uint8_t along = 0;
-    for (int y = 0; y < kLeafEdge; ++y) {
-        const auto row = static_cast<std::uint8_t>(across >> (kLeafEdge * y));
-        if (row == 0) continue;
-        along |= row;
-        low.y = std::min(low.y, y);
-        high.y = y + 1;
-    }
+    low.y = std::countr_zero(across) / kLeafEdge;
+    high.y = kLeafEdge - std::countl_zero(across) / kLeafEdge;
+    across |= across >> 32;
+    across |= across >> 16;
+    const auto along = static_cast<std::uint8_t>(across | across >> 8);
     low.z = std::countr_zero(along);
     high.z = kLeafEdge - std::countl_zero(along);
-    const glm::ivec3 origin = vector(leaf.origin());
-    return {origin + low, origin + high};
+    return {low, high};
 }
 
 // The eight-fold division of a cube, in the order of the tree: visit(origin of each part).
@@ -315,37 +310,59 @@ std::size_t VoxelGrid::bytes() const {
 }
 
 IBox VoxelGrid::bounds() const {
-    openvdb::CoordBBox leaves;  // in whole leaves: what is inside what was seen is passed over
-    impl_->tree().root().evalActiveBoundingBox(leaves, false);
-    if (leaves.empty()) return {};
-    const IBox coarse{vector(leaves.min()), vector(leaves.max()) + 1};
-    // On each side the voxels of the outermost leaves decide: only these are looked into.
     IBox box;
-    const auto isOutermost = [&](const IBox& part) {
-        return glm::any(glm::lessThanEqual(part.min, coarse.min)) ||
-               glm::any(glm::greaterThanEqual(part.max, coarse.max));
-    };
-    const auto addTiles = [&](auto tile, int edge) {
+    IBox leaves;  // whole ones, those that turn out to be empty included
+    std::vector<const Lower*> lowers;
+    const auto addTiles = [&box](auto tile, int edge) {
         for (; tile; ++tile) {
             const glm::ivec3 origin = vector(tile.getCoord());
             box = box.united({origin, origin + edge});
         }
     };
     const auto& root = impl_->tree().root();
-    addTiles(root.cbeginValueOn(), static_cast<int>(Upper::DIM));
+    addTiles(root.cbeginValueOn(), Upper::DIM);
     for (auto upper = root.cbeginChildOn(); upper; ++upper) {
-        addTiles(upper->cbeginValueOn(), static_cast<int>(Lower::DIM));
-        for (auto lower = upper->cbeginChildOn(); lower; ++lower) {
-            const glm::ivec3 corner = vector(lower.getCoord());
-            if (!isOutermost({corner, corner + static_cast<int>(Lower::DIM)})) continue;
-            addTiles(lower->cbeginValueOn(), kLeafEdge);
-            for (auto leaf = lower->cbeginChildOn(); leaf; ++leaf) {
-                const glm::ivec3 origin = vector(leaf.getCoord());
-                if (isOutermost({origin, origin + kLeafEdge}) && !leaf->isEmpty())
-                    box = box.united(boundsOf(*leaf));
-            }
+        addTiles(upper->cbeginValueOn(), Lower::DIM);
+        for (auto child = upper->cbeginChildOn(); child; ++child) {
+            const Lower& lower = *child;
+            addTiles(lower.cbeginValueOn(), kLeafEdge);
+            if (lower.getChildMask().isOff()) continue;
+            lowers.push_back(&lower);
+            const IBox part = boundsOf(lower.getChildMask());
+            const glm::ivec3 origin = vector(lower.origin());
+            leaves = leaves.united({origin + kLeafEdge * part.min, origin + kLeafEdge * part.max});
         }
     }
+    // The leaves that are not in `inner`, whose corners are those of leaves.
+    const auto addLeavesOutside = [&](const IBox& inner) {
+        for (const Lower* lower : lowers) {
+            const glm::ivec3 origin = vector(lower->origin());
+            const glm::ivec3 low = glm::max((inner.min - origin) >> 3, glm::ivec3(0));
+            const glm::ivec3 high = glm::min((inner.max - origin) >> 3, glm::ivec3(kBranching)) - 1;
+            const std::uint64_t inside = layerBits(low, high);
+            for (int x = 0; x < kBranching; ++x) {
+                std::uint64_t rest =
+                    lower->getChildMask().getWord<openvdb::Index64>(static_cast<openvdb::Index>(x));
+                if (x >= low.x && x <= high.x) rest &= ~inside;
+                for (; rest != 0; rest &= rest - 1) {
+                    const int child = x << 6 | std::countr_zero(rest);
+                    const Leaf& leaf = *lower->getTable()[child].getChild();
+                    if (leaf.isEmpty()) continue;
+                    const IBox part = boundsOf(leaf.valueMask());
+                    const glm::ivec3 corner =
+                        origin + kLeafEdge * glm::ivec3(child >> 6, child >> 3 & 7, child & 7);
+                    box = box.united({corner + part.min, corner + part.max});
+                }
+            }
+        }
+    };
+    if (leaves.empty()) return box;
+    // On each side the voxels of the outermost leaves decide, if there are any in them.
+    const IBox inner{leaves.min + kLeafEdge, leaves.max - kLeafEdge};
+    addLeavesOutside(inner);
+    const bool decided = !box.empty() && glm::all(glm::lessThanEqual(box.min, inner.min)) &&
+                         glm::all(glm::greaterThanEqual(box.max, inner.max));
+    if (!decided) addLeavesOutside({});
     return box;
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kRegionEdge = RegionBaker::kEdge;
 // Below this many blocks of the grid, waking other threads costs more than they save.
-constexpr std::size_t kBlocksForThreads = 512;
+constexpr std::size_t kBlocksForThreads = 4096;
 // So that one thread's long run does not keep the others waiting.
 constexpr std::size_t kRunsAThread = 4;
 

@@ -143,8 +143,11 @@ inline void cutIntoBricks(const std::uint8_t* voxels, std::uint64_t* payloads) {
 inline void copyRows(const std::uint8_t* first, const std::uint8_t* next, int shift, int count,
                      std::uint64_t* rows) {
     using namespace brick_order;
+    if (shift == 0) {
+        for (int row = 0; row < count; ++row) rows[row] = load<std::uint64_t>(first + 8 * row);
+        return;
+    }
     const int bits = 8 * shift;
-    // In two steps, for nothing comes from `next` when the shift is 0.
     int row = 0;
     for (; row + 2 <= count; row += 2) {
         const Words both = load<Words>(first + 8 * row) >> bits | load<Words>(next + 8 * row)
@@ -153,7 +156,7 @@ inline void copyRows(const std::uint8_t* first, const std::uint8_t* next, int sh
     }
     if (row < count) {
         rows[row] = load<std::uint64_t>(first + 8 * row) >> bits |
-                    load<std::uint64_t>(next + 8 * row) << 1 << (63 - bits);
+                    load<std::uint64_t>(next + 8 * row) << (64 - bits);
     }
 }
 

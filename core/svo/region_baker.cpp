@@ -171,14 +171,12 @@ int RegionBaker::valueAround(const Block* at) const {
 }
 
 bool RegionBaker::gatherSolid(const Block* at, glm::ivec3 end) {
-    // What comes from the block itself of a row of eight, and what from the next one.
-    const std::uint64_t fromFirst = 0x0101'0101'0101'0101u * (0xFFu >> offset_.z);
-    // Shifts in two steps, for nothing comes from the next block when the offset is 0.
-    const auto alongZ = [&](std::uint64_t first, std::uint64_t next) {
-        return (first >> offset_.z & fromFirst) | (next << 1 << (7 - offset_.z) & ~fromFirst);
-    };
-    const auto alongY = [&](std::uint64_t first, std::uint64_t next) {
-        return first >> 8 * offset_.y | next << 8 << 8 * (7 - offset_.y);
+    // Of each row, what comes from the block itself; the rest comes from the next one.
+    const std::uint64_t ofFirst = 0x0101'0101'0101'0101u * (0xFFu >> offset_.z);
+    const auto alongZ = [&](const Block* of, int plane) {
+        const std::uint64_t first = of[0].solid[plane];
+        if (offset_.z == 0) return first;
+        return (first >> offset_.z & ofFirst) | (of[1].solid[plane] << (8 - offset_.z) & ~ofFirst);
     };
     std::uint64_t kept = 0;
     if (end.y > 0 && end.z > 0) {
@@ -190,9 +188,10 @@ bool RegionBaker::gatherSolid(const Block* at, glm::ivec3 end) {
         const int inX = x + offset_.x;
         const Block* of = at + (inX >> 3) * kBlocks * kBlocks;
         const int plane = inX & 7;
-        const std::uint64_t word =
-            alongY(alongZ(of[0].solid[plane], of[1].solid[plane]),
-                   alongZ(of[kBlocks].solid[plane], of[kBlocks + 1].solid[plane]));
+        std::uint64_t word = alongZ(of, plane);
+        if (offset_.y != 0) {
+            word = word >> 8 * offset_.y | alongZ(of + kBlocks, plane) << (64 - 8 * offset_.y);
+        }
         solid_[static_cast<std::size_t>(x)] = x < end.x ? word & kept : 0;
         any |= solid_[static_cast<std::size_t>(x)];
     }

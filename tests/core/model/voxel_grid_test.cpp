@@ -9,6 +9,7 @@
 #include <limits>
 #include <set>
 #include <thread>
+#include <vector>
 
 #include "tests/support/random.h"
 #include "tests/support/voxels.h"
@@ -213,6 +214,10 @@ TEST(VoxelGrid, BlocksHoldEverySolidVoxelOnce) {
             const std::uint8_t value = block.voxels != nullptr
                                            ? block.voxels[(local.x << 6) | (local.y << 3) | local.z]
                                            : block.uniformValue;
+            if (block.voxels != nullptr) {
+                const std::uint64_t bit = block.solid[local.x] >> (local.y << 3 | local.z) & 1u;
+                ASSERT_EQ(bit, value != 0 ? 1u : 0u);
+            }
             if (value == 0) continue;
             ++solid;
             ASSERT_TRUE(fromBlocks.emplace(key(block.origin + local), value).second);
@@ -220,6 +225,81 @@ TEST(VoxelGrid, BlocksHoldEverySolidVoxelOnce) {
         EXPECT_GT(solid, 0);
     });
     EXPECT_EQ(fromBlocks, mapOf(grid));
+}
+
+TEST(VoxelGrid, RegionsHoldTheSameBlocks) {
+    VoxelGrid grid = test::randomVoxels(6, {150, 90, 70}, 0.002, 255);
+    grid.fill({{-64, -64, -64}, {0, 0, 0}}, 8);           // a tile of 64
+    grid.fill({{-2048, 512, 0}, {-1536, 1024, 512}}, 9);  // one of 512
+    grid.fill({{200, 0, 0}, {208, 8, 8}}, 10);            // one of 8
+    grid.set({300, 5, 5}, 1);
+    grid.set({300, 5, 5}, 0);  // a block of nothing
+    using Key = std::tuple<int, int, int, int, int, const std::uint8_t*>;
+    const auto keyOf = [](const VoxelBlock& b) {
+        return Key{b.origin.x, b.origin.y, b.origin.z, b.edgeVoxels, b.uniformValue, b.voxels};
+    };
+    for (const IBox& part : {IBox{{-5000, -5000, -5000}, {5000, 5000, 5000}},
+                             IBox{{-70, 3, 8}, {17, 71, 16}}, IBox{{64, 0, 0}, {65, 90, 1}}}) {
+        std::set<Key> blocks, fromRegions;
+        grid.forEachBlock([&](const VoxelBlock& block) {
+            const IBox box{block.origin, block.origin + block.edgeVoxels};
+            if (block.edgeVoxels > 8 || !box.intersected(part).empty()) blocks.insert(keyOf(block));
+        });
+        grid.forEachRegion([&](const VoxelRegion& region) {
+            if (region.blocks == nullptr) {
+                fromRegions.insert(
+                    keyOf({region.origin, region.edgeVoxels, region.uniformValue, nullptr}));
+                return;
+            }
+            int count = 0;
+            VoxelGrid::forEachBlockIn(region, part, [&](const VoxelBlock& block) {
+                ++count;
+                EXPECT_TRUE(fromRegions.insert(keyOf(block)).second);
+            });
+            EXPECT_LE(count, region.blockCount);
+        });
+        EXPECT_EQ(fromRegions, blocks);
+    }
+}
+
+TEST(VoxelGrid, BoundsFollowWhatIsErased) {
+    Random random(8);
+    for (int model = 0; model < 40; ++model) {
+        VoxelGrid grid;
+        Reference reference;
+        const auto put = [&](const IBox& box, std::uint8_t value) {
+            grid.fill(box, value);
+            reference.fill(box, value);
+        };
+        for (int k = 0; k < 60; ++k) {
+            const glm::ivec3 v = random.voxel(-100, 100);
+            put({v, v + 1}, 3);
+        }
+        if (model % 2 == 0) put({{-8, -16, 0}, {16, 8, 8}}, 4);
+        // Voxel by voxel from outside: blocks that hold nothing any more stay behind.
+        while (!reference.map().empty()) {
+            const IBox bounds = reference.bounds();
+            ASSERT_EQ(grid.bounds(), bounds);
+            const int axis = random.between(0, 2);
+            IBox rim = bounds;
+            const int thickness = random.between(1, 40);
+            if (random.chance(0.5)) {
+                rim.min[axis] = std::max(rim.min[axis], rim.max[axis] - thickness);
+            } else {
+                rim.max[axis] = std::min(rim.max[axis], rim.min[axis] + thickness);
+            }
+            std::vector<glm::ivec3> gone;
+            for (const auto& [position, value] : reference.map()) {
+                const auto [x, y, z] = position;
+                if (rim.contains({x, y, z})) gone.emplace_back(x, y, z);
+            }
+            for (const glm::ivec3 v : gone) {
+                grid.set(v, 0);
+                reference.set(v, 0);
+            }
+        }
+        EXPECT_EQ(grid.bounds(), IBox{});
+    }
 }
 
 // Two ways of drawing the same voxels, in another order, through tiles and without.
