@@ -136,6 +136,7 @@ void addConvert(CLI::App& app, Command& command) {
     addMeshWriteOptions(sub, options->writing);
     addJsonFlag(sub, command);
     runs(sub, command, options, convert);
+    addEntityOption(sub, options->reading);
 }
 
 }  // namespace voxprite::cli

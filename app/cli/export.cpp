@@ -1,19 +1,25 @@
-// voxprite export IN -o OUT.svo: the octree for the game's runtime, verified.
+// voxprite export IN... -o OUT.svo: octrees for the game's runtime, verified.
+#include <deque>
+
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
 #include "app/cli/convert_batch.h"
 #include "app/cli/source.h"
 #include "core/base/file.h"
 #include "core/io/svo_file.h"
+#include "core/io/svo_set.h"
 
 namespace voxprite::cli {
 namespace {
 
 struct Options {
-    std::string input, output;
+    std::vector<std::string> inputs;
+    std::string output;
     std::optional<std::string> profile;
     std::optional<int> model;
     std::optional<std::string> variant;
+    ReadOptions reading;
+    bool each = false;
     bool* json = nullptr;  // owned by the Command
 };
 
@@ -26,17 +32,29 @@ Json modelJson(const SvoModel& model) {
             {"payloads", octree.payloads.size()}};
 }
 
-Result<Report> exportSvo(const Options& options) {
-    const Result<Format> format = formatOf(options.output);
-    if (!format || *format != Format::svo) {
-        throw CLI::ValidationError("--output", "the octree's file must end in .svo");
-    }
-    const Result<LoadedDocument> loaded = loadSource(options.input, options.model, options.variant);
+Json modelsJson(const SvoFile& file) {
+    Json models = Json::array();
+    for (const SvoModel& model : file.models) models.push_back(modelJson(model));
+    return models;
+}
+
+Result<LoadedDocument> load(const Options& options, const std::string& input, Json& warnings) {
+    Result<LoadedDocument> loaded =
+        loadSource(input, options.model, options.variant, options.reading);
+    if (!loaded) return loaded;
+    const std::vector<std::string> losses = lossesOf(loaded->document, Format::svo);
+    if (!*options.json) tellLosses(input, losses);
+    for (const std::string& loss : losses) warnings.push_back(textJson(loss));
+    return loaded;
+}
+
+Result<Report> exportOne(const Options& options) {
+    const std::string& input = options.inputs[0];
+    Json warnings = Json::array();
+    const Result<LoadedDocument> loaded = load(options, input, warnings);
     if (!loaded) return Failure(loaded.error());
     const Result<GameProfile> profile = profileForSaving(options.profile, loaded->document);
     if (!profile) return Failure(profile.error());
-    const std::vector<std::string> losses = lossesOf(loaded->document, Format::svo);
-    if (!*options.json) tellLosses(options.input, losses);
     if (Status saved = saveDocument(options.output, loaded->document, *profile); !saved) {
         return Failure(saved.error());
     }
@@ -49,15 +67,11 @@ Result<Report> exportSvo(const Options& options) {
     const Result<SvoFile> file = inFile(readSvo(*bytes), options.output);
     if (!file) return Failure(file.error());
 
-    Json warnings = Json::array();
-    for (const std::string& loss : losses) warnings.push_back(textJson(loss));
-    Json models = Json::array();
-    for (const SvoModel& model : file->models) models.push_back(modelJson(model));
     Report report;
-    report.json = {{"input", textJson(options.input)},
+    report.json = {{"input", textJson(input)},
                    {"output", textJson(options.output)},
                    {"bytes", bytes->size()},
-                   {"models", std::move(models)},
+                   {"models", modelsJson(*file)},
                    {"clips", file->clips.size()},
                    {"sockets", file->sockets.size()},
                    {"verified", true},
@@ -68,14 +82,89 @@ Result<Report> exportSvo(const Options& options) {
     return report;
 }
 
+Json entityJson(const SvoFile& entity, const std::string& input) {
+    return {{"name", textJson(entity.name)},
+            {"input", textJson(input)},
+            {"anchor", {entity.anchor.x, entity.anchor.y, entity.anchor.z}},
+            {"models", modelsJson(entity)},
+            {"clips", entity.clips.size()},
+            {"sockets", entity.sockets.size()}};
+}
+
+// Several entities into one file: one for each input, or for each of their models.
+Result<Report> exportSet(const Options& options) {
+    std::deque<std::pair<LoadedDocument, GameProfile>> sources;  // members refer to them
+    std::vector<SetMember> members;
+    std::vector<std::string> inputs;  // of each member
+    Json warnings = Json::array();
+    for (const std::string& input : options.inputs) {
+        Result<LoadedDocument> loaded = load(options, input, warnings);
+        if (!loaded) return Failure(loaded.error());
+        const Result<GameProfile> profile = profileForSaving(options.profile, loaded->document);
+        if (!profile) return Failure(profile.error());
+        const auto& [source, values] = sources.emplace_back(std::move(*loaded), *profile);
+        const std::string stem = std::filesystem::path(input).stem().string();
+        if (options.each) {
+            for (SetMember& member : modelsOneByOne(source.document, values, stem)) {
+                members.push_back(std::move(member));
+            }
+        } else {
+            members.push_back({source.document, values, std::nullopt, stem});
+        }
+        inputs.resize(members.size(), input);
+    }
+    if (members.empty()) {
+        return failInFile(options.inputs[0], "has no model with voxels; nothing was written");
+    }
+    const Result<Bytes> bytes = exportSvoSet(members);
+    if (!bytes) return inFile(Result<Report>(Failure(bytes.error())), options.output);
+    if (Status s = inFile(writeFileAtomically(options.output, *bytes), options.output); !s) {
+        return Failure(s.error());
+    }
+    // What lies on the disk now are the bytes that were compared.
+    const Result<Bytes> written = readFile(options.output);
+    if (!written) return Failure(written.error());
+    if (*written != *bytes) return failInFile(options.output, "is not what was written");
+    const Result<std::vector<SvoFile>> set = readSvoSet(*written);
+    if (!set) return inFile(Result<Report>(Failure(set.error())), options.output);
+
+    Json entities = Json::array();
+    for (std::size_t i = 0; i < set->size(); ++i) {
+        entities.push_back(entityJson((*set)[i], inputs[i]));
+    }
+    Report report;
+    report.json = {{"output", textJson(options.output)},
+                   {"bytes", bytes->size()},
+                   {"entities", std::move(entities)},
+                   {"verified", true},
+                   {"warnings", std::move(warnings)}};
+    report.text = options.output + ": " + std::to_string(bytes->size()) + " bytes, " +
+                  std::to_string(set->size()) +
+                  " entities, read back and compared voxel by voxel\n";
+    return report;
+}
+
+Result<Report> exportSvo(const Options& options) {
+    const Result<Format> format = formatOf(options.output);
+    if (!format || *format != Format::svo) {
+        throw CLI::ValidationError("--output", "the octree's file must end in .svo");
+    }
+    if (options.each || options.inputs.size() > 1) return exportSet(options);
+    return exportOne(options);
+}
+
 }  // namespace
 
 void addExport(CLI::App& app, Command& command) {
-    CLI::App& sub = *app.add_subcommand("export", "Write the octree that the game's runtime loads");
+    CLI::App& sub =
+        *app.add_subcommand("export", "Write the octrees that the game's runtime loads");
     auto options = std::make_shared<Options>();
     options->json = &command.json;
-    sub.add_option("IN", options->input, "The model to export")->required();
-    sub.add_option("-o,--output", options->output, "The octree's file")
+    sub.add_option("IN", options->inputs,
+                   "The model to export; several become entities of one file, each with its own "
+                   "palette and anchor")
+        ->required();
+    sub.add_option("-o,--output", options->output, "The octrees' file")
         ->required()
         ->type_name("OUT.svo");
     sub.add_option("--profile", options->profile,
@@ -83,9 +172,14 @@ void addExport(CLI::App& app, Command& command) {
         ->type_name("FILE");
     sub.add_option("--variant", options->variant, "The palette variant, by its name")
         ->type_name("NAME");
-    addParsed(sub, "--model", "INDEX",
-              "Only this source model, as `inspect` lists them (from 0), not the entity", indexFrom,
-              [options](int model) { options->model = model; });
+    CLI::Option* const model =
+        addParsed(sub, "--model", "INDEX",
+                  "Only this source model, as `inspect` lists them (from 0), not the entity",
+                  indexFrom, [options](int index) { options->model = index; });
+    sub.add_flag("--each", options->each,
+                 "Each source model becomes an entity of its own, without its placement")
+        ->excludes(model);
+    addEntityOption(sub, options->reading);
     addJsonFlag(sub, command);
     runs(sub, command, options, exportSvo);
 }

@@ -5,6 +5,8 @@
 
 #include "app/cli/command.h"
 #include "app/cli/source.h"
+#include "core/base/file.h"
+#include "core/io/svo_file.h"
 #include "core/model/entity_voxels.h"
 #include "core/model/playback.h"
 #include "core/svo/bake.h"
@@ -14,6 +16,7 @@ namespace {
 
 struct Options {
     std::string file;
+    ReadOptions reading;
 };
 
 // Model is shown by this node, if by any: the first one in the scene.
@@ -158,27 +161,78 @@ std::string describe(const Json& json, const std::string& file) {
     return text.str();
 }
 
-Result<Report> inspect(const Options& options) {
-    const Result<LoadedDocument> loaded = loadDocument(options.file);
-    if (!loaded) return Failure(loaded.error());
-    const Document& document = loaded->document;
+Json documentJson(const LoadedDocument& loaded) {
+    const Document& document = loaded.document;
     const std::vector<int> sources = sourceModels(document);
     Json warnings = Json::array();
-    for (const std::string& warning : loaded->warnings) warnings.push_back(textJson(warning));
+    for (const std::string& warning : loaded.warnings) warnings.push_back(textJson(warning));
     Json models = Json::array();
     for (const int index : sources) models.push_back(modelJson(document, index, warnings));
 
     const IBox bounds = entityBounds(document);
+    return {{"format", nameOf(loaded.format)},
+            {"models", std::move(models)},
+            {"instances", instancesJson(document, sources)},
+            {"palette", paletteJson(document.palette)},
+            {"clips", clipsJson(document)},
+            {"sockets", socketsJson(document)},
+            {"warnings", std::move(warnings)},
+            {"frames", frameCount(document)},
+            {"entity_size", sizeJson(bounds.empty() ? glm::ivec3(0) : bounds.size())}};
+}
+
+// The entities of a .svo, where there are several and none is chosen; else nothing.
+Result<std::vector<SvoFile>> severalEntities(const Options& options) {
+    const Result<Format> format = formatOf(options.file);
+    std::error_code unknown;
+    if (options.reading.entity || !format || *format != Format::svo ||
+        !std::filesystem::is_regular_file(options.file, unknown)) {
+        return {};
+    }
+    const Result<Bytes> bytes = readFile(options.file);
+    if (!bytes) return Failure(bytes.error());
+    Result<std::vector<SvoFile>> set = inFile(readSvoSet(*bytes), options.file);
+    if (set && set->size() == 1) set->clear();
+    return set;
+}
+
+// Models in the order of the file, whose they are beside them.
+Report reportOfSet(const std::vector<SvoFile>& set, const std::string& file) {
     Report report;
-    report.json = {{"format", nameOf(loaded->format)},
+    Json models = Json::array(), entities = Json::array(), warnings = Json::array();
+    report.text = file + ": svo, " + std::to_string(set.size()) + " entities\n";
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        Json one = documentJson({.document = documentFromSvo(set[i]), .format = Format::svo});
+        const std::string name = set[i].name;
+        report.text += describe(one, std::to_string(i) + "  \"" + name + "\"");
+        for (Json& model : one["models"]) {
+            model["entity"] = i;
+            models.push_back(std::move(model));
+        }
+        for (Json& warning : one["warnings"]) warnings.push_back(std::move(warning));
+        entities.push_back({{"name", textJson(name)},
+                            {"models", one["models"].size()},
+                            {"size", one["entity_size"]},
+                            {"frames", one["frames"]},
+                            {"clips", one["clips"]},
+                            {"sockets", one["sockets"]}});
+    }
+    report.json = {{"format", nameOf(Format::svo)},
+                   {"entities", std::move(entities)},
                    {"models", std::move(models)},
-                   {"instances", instancesJson(document, sources)},
-                   {"palette", paletteJson(document.palette)},
-                   {"clips", clipsJson(document)},
-                   {"sockets", socketsJson(document)},
-                   {"warnings", std::move(warnings)},
-                   {"frames", frameCount(document)},
-                   {"entity_size", sizeJson(bounds.empty() ? glm::ivec3(0) : bounds.size())}};
+                   {"instances", Json::array()},
+                   {"warnings", std::move(warnings)}};
+    return report;
+}
+
+Result<Report> inspect(const Options& options) {
+    const Result<std::vector<SvoFile>> set = severalEntities(options);
+    if (!set) return Failure(set.error());
+    if (!set->empty()) return reportOfSet(*set, options.file);
+    const Result<LoadedDocument> loaded = loadDocument(options.file, options.reading);
+    if (!loaded) return Failure(loaded.error());
+    Report report;
+    report.json = documentJson(*loaded);
     report.text = describe(report.json, options.file);
     return report;
 }
@@ -189,6 +243,7 @@ void addInspect(CLI::App& app, Command& command) {
     CLI::App& sub = *app.add_subcommand("inspect", "Say what is in a file");
     auto options = std::make_shared<Options>();
     sub.add_option("FILE", options->file, "A model: " + listed(modelEndings()))->required();
+    addEntityOption(sub, options->reading);
     addJsonFlag(sub, command);
     runs(sub, command, options, inspect);
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/cli/arguments.h"
+#include "app/cli/source.h"
 #include "core/io/json_value.h"
 #include "core/io/profile_json.h"
 
@@ -121,6 +122,7 @@ void addEntityOptions(CLI::App& app, RenderOptions& o) {
     add(app, "--model", "INDEX",
         "Only this source model, as `inspect` lists them (from 0), not the entity", indexFrom,
         o.model);
+    addEntityOption(app, o.reading);
     add(app, "--frame", "INDEX", "The frame of the animation, from 0", indexFrom, o.frame);
     add(app, "--anchor", "x,y,z", "The anchor in voxels from the bounds' minimum corner",
         vectorFrom, o.anchorVoxels);

@@ -10,6 +10,7 @@
 
 #include "core/base/image.h"
 #include "core/billboard/snapshot_blit.h"
+#include "core/io/formats.h"
 #include "core/model/game_profile.h"
 #include "core/svo/octree.h"
 
@@ -48,6 +49,7 @@ struct RenderOptions {
     SnapshotRequest snapshots;
     Backend backend = Backend::cpu;
     std::optional<int> model;
+    ReadOptions reading;
     int frame = 0;
     std::optional<std::string> lattice;  // a file with the lattice view to cast
     std::optional<std::string> profile;

@@ -161,7 +161,8 @@ Status makeCoarser(Shot& shot, glm::ivec3 origin, int levels) {
 
 Result<Shot> makeShot(const RenderOptions& options, Times& times) {
     Stopwatch watch;
-    Result<LoadedDocument> loaded = loadSource(options.input, options.model, options.variant);
+    Result<LoadedDocument> loaded =
+        loadSource(options.input, options.model, options.variant, options.reading);
     if (!loaded) return Failure(loaded.error());
     times.emplace_back("load", watch.lapMilliseconds());
 

@@ -18,6 +18,7 @@ struct Options {
     std::string input, output;
     std::optional<std::string> turntable, profile;
     std::optional<int> model;
+    ReadOptions reading;
     std::optional<double> sigma, voxelSizeMetres;
     SheetOptions sheet;
     int turntableMilliseconds = 80;
@@ -58,7 +59,8 @@ Result<Report> sheet(const Options& options) {
     }
     const Result<GameProfile> profile = profileOf(options);
     if (!profile) return Failure(profile.error());
-    const Result<LoadedDocument> loaded = loadSource(options.input, options.model);
+    const Result<LoadedDocument> loaded =
+        loadSource(options.input, options.model, std::nullopt, options.reading);
     if (!loaded) return Failure(loaded.error());
     const bool told = isatty(STDERR_FILENO) == 1;
     const Result<Sheet> made =
@@ -174,6 +176,7 @@ void addSheet(CLI::App& app, Command& command) {
     addParsed(sub, "--model", "INDEX",
               "Only this source model, as `inspect` lists them (from 0), not the entity", indexFrom,
               [options](int model) { options->model = model; });
+    addEntityOption(sub, options->reading);
     addJsonFlag(sub, command);
     runs(sub, command, options, sheet);
 }

@@ -1,5 +1,6 @@
 #include "app/cli/source.h"
 
+#include "app/cli/arguments.h"
 #include "core/io/profile_json.h"
 
 namespace voxprite::cli {
@@ -57,6 +58,13 @@ Result<LoadedDocument> loadSource(const std::filesystem::path& path, std::option
     loaded->document =
         onlyModel(std::move(loaded->document), models[static_cast<std::size_t>(*model)]);
     return loaded;
+}
+
+void addEntityOption(CLI::App& app, ReadOptions& options) {
+    addParsed(app, "--entity", "INDEX",
+              "Of a .svo with several entities: this one, as `inspect` lists them (from 0)",
+              indexFrom,
+              [&options](int entity) { options.entity = static_cast<std::size_t>(entity); });
 }
 
 Result<GameProfile> profileForSaving(const std::optional<std::string>& path,

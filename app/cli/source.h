@@ -1,6 +1,7 @@
 // What commands read: a file's document, or one source model of it.
 #pragma once
 
+#include <CLI/App.hpp>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -19,6 +20,9 @@ namespace voxprite::cli {
 [[nodiscard]] Result<LoadedDocument> loadSource(
     const std::filesystem::path& path, std::optional<int> model,
     const std::optional<std::string>& variant = std::nullopt, const ReadOptions& options = {});
+
+// --entity INDEX: of a .svo with several entities.
+void addEntityOption(CLI::App& app, ReadOptions& options);
 
 // The colours of a variant, by its name, in place of the palette's own; then there are no variants.
 [[nodiscard]] Status chooseVariant(Palette& palette, const std::string& name);

@@ -43,7 +43,7 @@ Result<Bytes> saveVox(const SaveRequest& request) {
 }
 
 Result<LoadedDocument> loadSvo(const FileSource& source) {
-    const Result<SvoFile> file = readSvo(source.bytes);
+    const Result<SvoFile> file = readSvo(source.bytes, source.options.entity);
     if (!file) return Failure(file.error());
     return LoadedDocument{.document = documentFromSvo(*file)};
 }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -34,6 +35,9 @@ struct LoadedDocument {
 
 // What the caller may choose where a file leaves a choice: a member for each format that does.
 struct ReadOptions {
+    // Of a .svo with several entities: which one. Without it such a file is refused, and the error
+    // names them.
+    std::optional<std::size_t> entity;
     MeshReadOptions mesh;
     SliceReadOptions slices;
     VdbReadOptions vdb;

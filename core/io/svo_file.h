@@ -9,7 +9,7 @@
 //      0  u8[8]   magic: 89 53 56 4F 0D 0A 1A 0A  ("\x89SVO\r\n\x1A\n")
 //      8  u16     major version, 1: a reader refuses any other
 //     10  u16     minor version: later ones only add sections and use reserved bytes. The least
-//                 that has what the file holds: 1 with sockets, else 0
+//                 that has what the file holds: 2 with several entities, 1 with sockets, else 0
 //     12  u32     number of sections
 //     16  u64     length of the whole file
 //     24  u8[36]  reserved
@@ -71,6 +71,20 @@
 //   SPOS  24 bytes a position
 //      0  f64[3]  x, y, z in voxels from the models' minimum corner, as the anchor
 //
+// Without more a file is one entity. Since version 1.2 it may be a set of them, unlike in size,
+// palette, anchor, clips and sockets. Then there is one more section, with flag bit 0, so that a
+// reader of one entity refuses the file in place of mixing them up:
+//
+//   ENTY  32 bytes an entity, 2 ... 4,096. Entities follow one another without gaps in MODL, CLIP
+//         and SOCK; PALT and CNAM have 256 records for each of them, AUTH one
+//      0  u32     first model in MODL
+//      4  u32     number of models, at least 1; the entity's clips show no others. A frame's index
+//                 counts from the file's first model
+//      8  u32     first clip in CLIP
+//     12  u32     number of clips
+//     16  u32     first socket in SOCK; sockets have a position for each frame of the entity's
+//     clips 20  u32     number of sockets 24  u8[8]   reserved
+//
 // Limits, so that a small file cannot unfold into more than a machine holds: 65,536 frames (those
 // of the clips, and one for each model that no clip shows) and 2^40 solid voxels in all models.
 //
@@ -90,6 +104,8 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -123,6 +139,7 @@ struct SvoSocket {
     bool operator==(const SvoSocket&) const = default;
 };
 
+// One entity: a whole file, or one of a set.
 struct SvoFile {
     std::vector<SvoModel> models;
     std::vector<SvoClip> clips;
@@ -148,15 +165,23 @@ struct SvoFile {
 
 // The same bytes for the same file, always. Fails where readSvo() would.
 [[nodiscard]] Result<Bytes> writeSvo(const SvoFile& file);
+// Entities in one file, in their order: 1 ... 4,096. Of one it is writeSvo().
+[[nodiscard]] Result<Bytes> writeSvoSet(std::span<const SvoFile> entities);
 // Checks magic, version, checksums, every index, every string, every octree; unknown later sections
-// are skipped. All or nothing, with the byte offset.
-[[nodiscard]] Result<SvoFile> readSvo(ByteView bytes);
+// are skipped. All or nothing, with the byte offset. At least one entity.
+[[nodiscard]] Result<std::vector<SvoFile>> readSvoSet(ByteView bytes);
+// The file's only entity, or that of the index. Fails, naming all, where neither chooses one.
+[[nodiscard]] Result<SvoFile> readSvo(ByteView bytes,
+                                      std::optional<std::size_t> entity = std::nullopt);
 
 // Reads `bytes` back and compares every voxel of every frame with the document (through flatten(),
 // not through the bake). What `export` calls before it reports success.
 [[nodiscard]] Status verifyExport(ByteView bytes, const Document& document);
+// The same for one entity that was read from a set.
+[[nodiscard]] Status verifyExport(const SvoFile& file, const Document& document);
 // The same for what bakeModelForExport() made.
 [[nodiscard]] Status verifyModelExport(ByteView bytes, const Document& document, int model);
+[[nodiscard]] Status verifyModelExport(const SvoFile& file, const Document& document, int model);
 
 // The octrees as a document again: one object; the frames of the clips one after another, then
 // those models that no clip shows.

@@ -246,18 +246,22 @@ Result<SvoFile> bakeModelForExport(const Document& document, const GameProfile& 
 Status verifyExport(ByteView bytes, const Document& document) {
     const Result<SvoFile> file = readSvo(bytes);
     if (!file) return tl::unexpected(file.error());
+    return verifyExport(*file, document);
+}
+
+Status verifyExport(const SvoFile& file, const Document& document) {
     const glm::dvec3 anchor = anchorFromMinimum(document.entity, entityBounds(document));
-    if (Status s = compareCommon(*file, document, anchor); !s) return s;
+    if (Status s = compareCommon(file, document, anchor); !s) return s;
     const std::vector<Clip> clips = clipsOf(document);
-    if (clips.size() != file->clips.size()) return fail("the export has other clips");
-    if (Status s = compareSockets(*file, document, clips); !s) return s;
+    if (clips.size() != file.clips.size()) return fail("the export has other clips");
+    if (Status s = compareSockets(file, document, clips); !s) return s;
 
     // Frames shown by a clip are compared with what the clip shows there; the others with the
     // models that no clip shows, and one of those must be equal.
     std::vector<std::vector<std::uint32_t>> modelsOfFrame(
         static_cast<std::size_t>(frameCount(document)));
     for (std::size_t c = 0; c < clips.size(); ++c) {
-        const SvoClip& exported = file->clips[c];
+        const SvoClip& exported = file.clips[c];
         const auto length = static_cast<std::size_t>(clips[c].last - clips[c].first) + 1;
         if (exported.models.size() != length) return fail("the export has other clips");
         for (std::size_t i = 0; i < length; ++i) {
@@ -276,13 +280,13 @@ Status verifyExport(ByteView bytes, const Document& document) {
         if (known && !done.empty()) continue;
         const VoxelGrid voxels = flatten(document, frame);
         for (const std::uint32_t model : shown) {
-            if (Status s = compare(file->models[model].octree, voxels, what); !s) return s;
+            if (Status s = compare(file.models[model].octree, voxels, what); !s) return s;
             done.push_back(model);
         }
         if (!shown.empty()) continue;
         Status last = fail("the export lacks " + what);
-        for (std::uint32_t model = 0; model < file->models.size() && !last; ++model) {
-            last = compare(file->models[model].octree, voxels, what);
+        for (std::uint32_t model = 0; model < file.models.size() && !last; ++model) {
+            last = compare(file.models[model].octree, voxels, what);
             if (last) done.push_back(model);
         }
         if (!last) return last;
@@ -293,12 +297,15 @@ Status verifyExport(ByteView bytes, const Document& document) {
 Status verifyModelExport(ByteView bytes, const Document& document, int model) {
     const Result<SvoFile> file = readSvo(bytes);
     if (!file) return tl::unexpected(file.error());
-    if (file->models.size() != 1 || !file->clips.empty())
-        return fail("the export has other models");
+    return verifyModelExport(*file, document, model);
+}
+
+Status verifyModelExport(const SvoFile& file, const Document& document, int model) {
+    if (file.models.size() != 1 || !file.clips.empty()) return fail("the export has other models");
     const VoxelGrid& voxels = document.models[static_cast<std::size_t>(model)].voxels;
     const glm::dvec3 anchor = anchorFromMinimum(Entity{}, voxels.bounds());
-    if (Status s = compareCommon(*file, document, anchor); !s) return s;
-    return compare(file->models[0].octree, voxels, "model " + std::to_string(model));
+    if (Status s = compareCommon(file, document, anchor); !s) return s;
+    return compare(file.models[0].octree, voxels, "model " + std::to_string(model));
 }
 
 Document documentFromSvo(const SvoFile& file) {

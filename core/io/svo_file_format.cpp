@@ -100,16 +100,24 @@ Status checkValues(const SvoFile& file) {
     return validate(entity);
 }
 
-Status checkLimits(const SvoFile& file) {
-    if (file.models.empty()) return fail("the file holds no model");
-    const std::size_t frames = modelsWithoutClip(file).size() + clipFrames(file);
+Status checkLimits(std::span<const SvoFile> entities) {
+    if (entities.empty()) return fail("the file holds no entity");
+    if (entities.size() > kMaxEntities) {
+        return fail("the file has " + std::to_string(entities.size()) +
+                    " entities; 4,096 are the limit");
+    }
+    std::size_t frames = 0;
+    std::uint64_t solids = 0;
+    for (const SvoFile& file : entities) {
+        if (file.models.empty()) return fail("the file holds no model");
+        frames += modelsWithoutClip(file).size() + clipFrames(file);
+        for (const SvoModel& model : file.models) {
+            solids += solidCount(model.octree.view());
+            if (solids > kMaxSolids) return fail("the models hold more than 2^40 solid voxels");
+        }
+    }
     if (frames > kMaxSvoFrames) {
         return fail("the file has " + std::to_string(frames) + " frames; 65,536 are the limit");
-    }
-    std::uint64_t solids = 0;
-    for (const SvoModel& model : file.models) {
-        solids += solidCount(model.octree.view());
-        if (solids > kMaxSolids) return fail("the models hold more than 2^40 solid voxels");
     }
     return {};
 }

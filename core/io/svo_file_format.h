@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "core/io/svo_file.h"
@@ -13,6 +14,8 @@ namespace voxprite::svo {
 inline constexpr std::array<std::uint8_t, 8> kMagic{0x89, 'S', 'V', 'O', '\r', '\n', 0x1A, '\n'};
 inline constexpr std::uint16_t kMajorVersion = 1;
 inline constexpr std::uint16_t kMinorOfSockets = 1;
+inline constexpr std::uint16_t kMinorOfSets = 2;
+inline constexpr std::size_t kMaxEntities = 4096;
 inline constexpr std::uint64_t kAlignment = 64;
 inline constexpr std::size_t kHeaderBytes = 64;
 inline constexpr std::size_t kHeaderCrcAt = 60;
@@ -31,13 +34,14 @@ enum Section : std::size_t {
     kRequired,  // the sections up to here
     SOCK = kRequired,
     SPOS,
+    ENTY,
     kSections
 };
 
 struct SectionLayout {
     std::string_view tag;
     std::size_t recordBytes;
-    std::size_t records;  // exactly, or 0 where the number is free
+    std::size_t records;  // exactly so many an entity, or 0 where the number is free
 };
 inline constexpr std::array<SectionLayout, kSections> kLayouts{{{"MODL", 64, 0},
                                                                 {"NODE", 4, 0},
@@ -49,7 +53,8 @@ inline constexpr std::array<SectionLayout, kSections> kLayouts{{{"MODL", 64, 0},
                                                                 {"AUTH", 64, 1},
                                                                 {"STRS", 1, 0},
                                                                 {"SOCK", 16, 0},
-                                                                {"SPOS", 24, 0}}};
+                                                                {"SPOS", 24, 0},
+                                                                {"ENTY", 32, 0}}};
 inline constexpr std::size_t kSectionEntryBytes = 32;
 
 // CRC-32 of header and section table, the checksum's own four bytes taken as 0.
@@ -65,7 +70,7 @@ inline constexpr std::size_t kSectionEntryBytes = 32;
 // Palette and authored values.
 [[nodiscard]] Status checkValues(const SvoFile& file);
 // The limits on the file as a whole; everything else is checked before.
-[[nodiscard]] Status checkLimits(const SvoFile& file);
+[[nodiscard]] Status checkLimits(std::span<const SvoFile> entities);
 
 // Frames of all clips together.
 [[nodiscard]] std::size_t clipFrames(const SvoFile& file);

@@ -55,17 +55,17 @@ class SvoReader {
   public:
     explicit SvoReader(ByteView bytes) : bytes_(bytes) {}
 
-    Result<SvoFile> run() {
+    Result<std::vector<SvoFile>> run() {
         for (const auto step :
              {&SvoReader::readHeader, &SvoReader::readTable, &SvoReader::checkSections,
-              &SvoReader::readModels, &SvoReader::readPalette, &SvoReader::readClips,
-              &SvoReader::readAuthored, &SvoReader::readSockets}) {
+              &SvoReader::readEntities, &SvoReader::readModels, &SvoReader::readPalettes,
+              &SvoReader::readClips, &SvoReader::readAuthored, &SvoReader::readSockets}) {
             if (Status s = (this->*step)(); !s) return tl::unexpected(s.error());
         }
-        if (Status s = svo::checkLimits(file_); !s) {
+        if (Status s = svo::checkLimits(entities_); !s) {
             return failAtByte(at(svo::MODL), s.error().message);
         }
-        return std::move(file_);
+        return std::move(entities_);
     }
 
   private:
@@ -73,6 +73,13 @@ class SvoReader {
         std::uint64_t offset = 0;
         std::uint64_t length = 0;
         bool present = false;
+    };
+    // What of the file belongs to an entity.
+    struct Shares {
+        std::uint32_t firstModel = 0;
+        std::uint64_t models = 0;
+        std::uint64_t clips = 0;
+        std::uint64_t sockets = 0;
     };
 
     [[nodiscard]] std::uint64_t at(svo::Section section) const { return parts_[section].offset; }
@@ -165,11 +172,60 @@ class SvoReader {
             if (!part.present && i >= svo::kRequired) continue;
             if (!part.present) return failAtByte(svo::kHeaderBytes, name + " is missing");
             if (part.length % layout.recordBytes != 0 ||
-                (layout.records != 0 && part.length != layout.recordBytes * layout.records)) {
+                (layout.records != 0 &&
+                 part.length != layout.recordBytes * layout.records * entityCount())) {
                 return failAtByte(part.offset, name + " has a wrong length");
             }
         }
         return {};
+    }
+
+    // One where the file says nothing of entities.
+    [[nodiscard]] std::uint64_t entityCount() const {
+        return parts_[svo::ENTY].present ? recordsOf(svo::ENTY) : 1;
+    }
+
+    [[nodiscard]] Status readEntities() {
+        if (!parts_[svo::ENTY].present) {
+            entities_.resize(1);
+            shares_ = {{0, recordsOf(svo::MODL), recordsOf(svo::CLIP), recordsOf(svo::SOCK)}};
+            return {};
+        }
+        if (entityCount() < 2 || entityCount() > svo::kMaxEntities) {
+            return failAtByte(at(svo::ENTY), "a set has 2 ... 4,096 entities, not " +
+                                                 std::to_string(entityCount()));
+        }
+        entities_.resize(entityCount());
+        Fields fields = fieldsOf(svo::ENTY);
+        std::array<std::uint64_t, 3> ends{};
+        for (std::uint64_t i = 0; i < entityCount(); ++i) {
+            std::array<std::uint32_t, 3> counts{};
+            Shares shares;
+            shares.firstModel = static_cast<std::uint32_t>(ends[0]);
+            for (std::size_t k = 0; k < counts.size(); ++k) {
+                const svo::Section section = std::array{svo::MODL, svo::CLIP, svo::SOCK}[k];
+                const std::uint64_t entry = fields.offset();
+                const std::uint32_t first = fields.u32();
+                counts[k] = fields.u32();
+                if (first != ends[k] || counts[k] > recordsOf(section) - ends[k]) {
+                    return failAtByte(entry, "the entity's part of " +
+                                                 std::string(svo::kLayouts[section].tag) +
+                                                 " is not the next one");
+                }
+                ends[k] += counts[k];
+            }
+            if (counts[0] == 0) return failAtByte(fields.offset() - 20, "an entity without models");
+            fields.skip(8);
+            shares.models = counts[0];
+            shares.clips = counts[1];
+            shares.sockets = counts[2];
+            shares_.push_back(shares);
+        }
+        if (ends[0] != recordsOf(svo::MODL) || ends[1] != recordsOf(svo::CLIP) ||
+            ends[2] != recordsOf(svo::SOCK)) {
+            return failAtByte(at(svo::ENTY), "models, clips or sockets that belong to no entity");
+        }
+        return fields.status();
     }
 
     // A text of a record. Texts share no bytes, so together they are no longer than STRS.
@@ -209,33 +265,36 @@ class SvoReader {
         Fields fields = fieldsOf(svo::MODL);
         std::uint64_t nodesEnd = 0;
         std::uint64_t payloadsEnd = 0;
-        for (std::uint64_t i = recordsOf(svo::MODL); i > 0; --i) {
-            const std::uint64_t record = fields.offset();
-            SvoModel model;
-            Octree& octree = model.octree;
-            const std::uint32_t firstNode = fields.u32();
-            const std::uint32_t firstPayload = fields.u32();
-            octree.maxDepth = fields.i32();
-            for (int axis = 0; axis < 3; ++axis) octree.size[axis] = fields.i32();
-            const std::uint32_t nodes = fields.u32();
-            const std::uint32_t payloads = fields.u32();
-            for (int axis = 0; axis < 3; ++axis) octree.origin[axis] = fields.i32();
-            if (Status s = readText(fields, model.name); !s) return s;
-            fields.skip(12);
-            if (Status s = readArray(svo::NODE, record, firstNode, nodes, nodesEnd, octree.nodes);
-                !s) {
-                return s;
+        for (std::size_t e = 0; e < entities_.size(); ++e) {
+            for (std::uint64_t i = 0; i < shares_[e].models; ++i) {
+                const std::uint64_t record = fields.offset();
+                SvoModel model;
+                Octree& octree = model.octree;
+                const std::uint32_t firstNode = fields.u32();
+                const std::uint32_t firstPayload = fields.u32();
+                octree.maxDepth = fields.i32();
+                for (int axis = 0; axis < 3; ++axis) octree.size[axis] = fields.i32();
+                const std::uint32_t nodes = fields.u32();
+                const std::uint32_t payloads = fields.u32();
+                for (int axis = 0; axis < 3; ++axis) octree.origin[axis] = fields.i32();
+                if (Status s = readText(fields, model.name); !s) return s;
+                fields.skip(12);
+                if (Status s =
+                        readArray(svo::NODE, record, firstNode, nodes, nodesEnd, octree.nodes);
+                    !s) {
+                    return s;
+                }
+                if (Status s = readArray(svo::PAYL, record + 4, firstPayload, payloads, payloadsEnd,
+                                         octree.payloads);
+                    !s) {
+                    return s;
+                }
+                if (Status s = svo::checkModel(model); !s) {
+                    const std::optional<std::uint64_t> node = s.error().offset;
+                    return atByte(node ? at(svo::NODE) + 4 * (firstNode + *node) : record, s);
+                }
+                entities_[e].models.push_back(std::move(model));
             }
-            if (Status s = readArray(svo::PAYL, record + 4, firstPayload, payloads, payloadsEnd,
-                                     octree.payloads);
-                !s) {
-                return s;
-            }
-            if (Status s = svo::checkModel(model); !s) {
-                const std::optional<std::uint64_t> node = s.error().offset;
-                return atByte(node ? at(svo::NODE) + 4 * (firstNode + *node) : record, s);
-            }
-            file_.models.push_back(std::move(model));
         }
         if (nodesEnd != recordsOf(svo::NODE)) {
             return failAtByte(at(svo::NODE) + 4 * nodesEnd, "nodes that belong to no model");
@@ -246,12 +305,14 @@ class SvoReader {
         return fields.status();
     }
 
-    [[nodiscard]] Status readPalette() {
+    [[nodiscard]] Status readPalettes() {
         Fields colours = fieldsOf(svo::PALT);
-        for (Rgba8& colour : file_.palette) colour = colours.colour();
         Fields names = fieldsOf(svo::CNAM);
-        for (std::string& name : file_.colourNames) {
-            if (Status s = readText(names, name); !s) return s;
+        for (SvoFile& entity : entities_) {
+            for (Rgba8& colour : entity.palette) colour = colours.colour();
+            for (std::string& name : entity.colourNames) {
+                if (Status s = readText(names, name); !s) return s;
+            }
         }
         if (Status s = colours.status(); !s) return s;
         return names.status();
@@ -261,24 +322,10 @@ class SvoReader {
         Fields fields = fieldsOf(svo::CLIP);
         Fields frames = fieldsOf(svo::FRAM);
         std::uint64_t framesEnd = 0;
-        for (std::uint64_t i = recordsOf(svo::CLIP); i > 0; --i) {
-            const std::uint64_t record = fields.offset();
-            SvoClip clip;
-            if (Status s = readText(fields, clip.name); !s) return s;
-            const std::uint32_t first = fields.u32();
-            const std::uint32_t count = fields.u32();
-            clip.loop = (fields.u32() & 1) != 0;
-            fields.skip(12);
-            if (first != framesEnd || count > recordsOf(svo::FRAM) - framesEnd) {
-                return failAtByte(record + 8, "the clip's frames are not the next ones of FRAM");
+        for (std::size_t e = 0; e < entities_.size(); ++e) {
+            for (std::uint64_t i = 0; i < shares_[e].clips; ++i) {
+                if (Status s = readClip(fields, frames, framesEnd, e); !s) return s;
             }
-            framesEnd += count;
-            for (std::uint32_t frame = 0; frame < count; ++frame) {
-                clip.models.push_back(frames.u32());
-                clip.durationsMilliseconds.push_back(frames.u32());
-            }
-            if (Status s = svo::checkClip(clip, file_.models); !s) return atByte(record, s);
-            file_.clips.push_back(std::move(clip));
         }
         if (framesEnd != recordsOf(svo::FRAM)) {
             return failAtByte(at(svo::FRAM) + 8 * framesEnd, "frames that belong to no clip");
@@ -287,16 +334,50 @@ class SvoReader {
         return frames.status();
     }
 
+    [[nodiscard]] Status readClip(Fields& fields, Fields& frames, std::uint64_t& framesEnd,
+                                  std::size_t entity) {
+        const std::uint64_t record = fields.offset();
+        SvoClip clip;
+        if (Status s = readText(fields, clip.name); !s) return s;
+        const std::uint32_t first = fields.u32();
+        const std::uint32_t count = fields.u32();
+        clip.loop = (fields.u32() & 1) != 0;
+        fields.skip(12);
+        if (first != framesEnd || count > recordsOf(svo::FRAM) - framesEnd) {
+            return failAtByte(record + 8, "the clip's frames are not the next ones of FRAM");
+        }
+        framesEnd += count;
+        for (std::uint32_t frame = 0; frame < count; ++frame) {
+            // Models count from the file's first.
+            const std::uint32_t model = frames.u32();
+            if (model < shares_[entity].firstModel) {
+                return failAtByte(frames.offset() - 4, "a clip shows another entity's model");
+            }
+            clip.models.push_back(model - shares_[entity].firstModel);
+            clip.durationsMilliseconds.push_back(frames.u32());
+        }
+        if (Status s = svo::checkClip(clip, entities_[entity].models); !s) {
+            return atByte(record, s);
+        }
+        entities_[entity].clips.push_back(std::move(clip));
+        return {};
+    }
+
     [[nodiscard]] Status readAuthored() {
         Fields fields = fieldsOf(svo::AUTH);
-        file_.voxelSizeMetres = fields.f64();
-        file_.sigma = fields.f64();
-        for (int axis = 0; axis < 3; ++axis) file_.anchor[axis] = fields.f64();
-        file_.outline.enabled = (fields.u32() & 1) != 0;
-        file_.outline.colour = fields.colour();
-        if (Status s = readText(fields, file_.name); !s) return s;
-        if (Status s = fields.status(); !s) return s;
-        return atByte(at(svo::AUTH), svo::checkValues(file_));
+        for (SvoFile& entity : entities_) {
+            const std::uint64_t record = fields.offset();
+            entity.voxelSizeMetres = fields.f64();
+            entity.sigma = fields.f64();
+            for (int axis = 0; axis < 3; ++axis) entity.anchor[axis] = fields.f64();
+            entity.outline.enabled = (fields.u32() & 1) != 0;
+            entity.outline.colour = fields.colour();
+            if (Status s = readText(fields, entity.name); !s) return s;
+            fields.skip(8);
+            if (Status s = fields.status(); !s) return s;
+            if (Status s = atByte(record, svo::checkValues(entity)); !s) return s;
+        }
+        return {};
     }
 
     [[nodiscard]] Status readSockets() {
@@ -306,22 +387,12 @@ class SvoReader {
         Fields fields = fieldsOf(svo::SOCK);
         Fields positions = fieldsOf(svo::SPOS);
         std::uint64_t positionsEnd = 0;
-        for (std::uint64_t i = recordsOf(svo::SOCK); i > 0; --i) {
-            const std::uint64_t record = fields.offset();
-            SvoSocket socket;
-            if (Status s = readText(fields, socket.name); !s) return s;
-            const std::uint32_t first = fields.u32();
-            const std::uint32_t count = fields.u32();
-            if (first != positionsEnd || count > recordsOf(svo::SPOS) - positionsEnd) {
-                return failAtByte(record + 8, "the socket's positions are not the next of SPOS");
+        for (std::size_t e = 0; e < entities_.size(); ++e) {
+            for (std::uint64_t i = 0; i < shares_[e].sockets; ++i) {
+                if (Status s = readSocket(fields, positions, positionsEnd, entities_[e]); !s) {
+                    return s;
+                }
             }
-            positionsEnd += count;
-            for (std::uint32_t k = 0; k < count; ++k) {
-                glm::dvec3& position = socket.positions.emplace_back();
-                for (int axis = 0; axis < 3; ++axis) position[axis] = positions.f64();
-            }
-            if (Status s = svo::checkSocket(socket, file_); !s) return atByte(record, s);
-            file_.sockets.push_back(std::move(socket));
         }
         if (positionsEnd != recordsOf(svo::SPOS)) {
             return failAtByte(at(svo::SPOS) + 24 * positionsEnd,
@@ -331,17 +402,61 @@ class SvoReader {
         return positions.status();
     }
 
+    [[nodiscard]] Status readSocket(Fields& fields, Fields& positions, std::uint64_t& positionsEnd,
+                                    SvoFile& entity) {
+        const std::uint64_t record = fields.offset();
+        SvoSocket socket;
+        if (Status s = readText(fields, socket.name); !s) return s;
+        const std::uint32_t first = fields.u32();
+        const std::uint32_t count = fields.u32();
+        if (first != positionsEnd || count > recordsOf(svo::SPOS) - positionsEnd) {
+            return failAtByte(record + 8, "the socket's positions are not the next of SPOS");
+        }
+        positionsEnd += count;
+        for (std::uint32_t k = 0; k < count; ++k) {
+            glm::dvec3& position = socket.positions.emplace_back();
+            for (int axis = 0; axis < 3; ++axis) position[axis] = positions.f64();
+        }
+        if (Status s = svo::checkSocket(socket, entity); !s) return atByte(record, s);
+        entity.sockets.push_back(std::move(socket));
+        return {};
+    }
+
     ByteView bytes_;
     std::uint32_t sectionCount_ = 0;
     std::array<Part, svo::kSections> parts_;
     std::uint64_t textBytes_ = 0;
-    SvoFile file_;
+    std::vector<Shares> shares_;  // one an entity
+    std::vector<SvoFile> entities_;
 };
+
+// "3 entities (0 knight, 1 oak, 2 truck)".
+std::string listedEntities(const std::vector<SvoFile>& set) {
+    constexpr std::size_t kNamed = 16;
+    std::string list = std::to_string(set.size()) + (set.size() == 1 ? " entity (" : " entities (");
+    for (std::size_t i = 0; i < std::min(set.size(), kNamed); ++i) {
+        list += (i == 0 ? "" : ", ") + std::to_string(i) + (set[i].name.empty() ? "" : " ") +
+                set[i].name;
+    }
+    return list + (set.size() > kNamed ? ", ...)" : ")");
+}
 
 }  // namespace
 
-Result<SvoFile> readSvo(ByteView bytes) {
+Result<std::vector<SvoFile>> readSvoSet(ByteView bytes) {
     return SvoReader(bytes).run();
+}
+
+Result<SvoFile> readSvo(ByteView bytes, std::optional<std::size_t> entity) {
+    Result<std::vector<SvoFile>> set = readSvoSet(bytes);
+    if (!set) return Failure(set.error());
+    if (!entity && set->size() > 1)
+        return fail("the file holds " + listedEntities(*set) + "; one must be chosen");
+    const std::size_t chosen = entity.value_or(0);
+    if (chosen >= set->size())
+        return fail("there is no entity " + std::to_string(chosen) + "; the file holds " +
+                    listedEntities(*set));
+    return std::move((*set)[chosen]);
 }
 
 }  // namespace voxprite

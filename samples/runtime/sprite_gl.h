@@ -150,16 +150,17 @@ static void sprite__resize(sprite_gl* gl, const int32_t size[2]) {
     }
 }
 
-/* One ray a virtual pixel, then the outline (R, G, B, 255; all 0 for none). The view's size is not
- * (0, 0). Afterwards the finished sprite is bound for reading. */
-static void sprite_cast(sprite_gl* gl, const svo_file* file, const svo_model* m,
+/* One ray a virtual pixel, then the outline (R, G, B, 255; all 0 for none). The model is one
+ * of the entity; the view's size is not (0, 0). Afterwards the finished sprite is bound for
+ * reading. */
+static void sprite_cast(sprite_gl* gl, const svo_file* file, uint32_t entity, const svo_model* m,
                         const lattice_view* v, const uint8_t light8[3], const uint8_t outline[4]) {
     const GLuint p = gl->cast[!lattice_is_narrow(v, m->size)];
     uint8_t lit[3 * 1024];
     int32_t origin[3];
     int k;
     if (p == 0) fail("the view", "is too large for 31 bits, and OpenGL 4.0 is not there");
-    lattice_lit_palette(file->palette, light8, lit);
+    lattice_lit_palette(svo_get_entity(file, entity).palette, light8, lit);
     glDeleteTextures(1, &gl->lit_palette);
     gl->lit_palette = make_texture(GL_RGBA8UI, GL_RGBA_INTEGER, GL_UNSIGNED_BYTE, 256, 3, lit);
     sprite__resize(gl, v->size);

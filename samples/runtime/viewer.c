@@ -6,8 +6,9 @@
  *     ./viewer knight.svo --lattice view.json     the hashes of its sprite from each view that
  *                                                 `voxprite render --json` printed into the file
  *
- * Also: --model N instead of the first clip; --yaw and --pitch (degrees), --sigma; --screenshot
- * OUT.ppm. Everything about sprites is in sprite_gl.h; here are a camera and a window.
+ * Also: --entity N of a file with several (or Tab, for the next), --model N of it instead of the
+ * first clip; --yaw and --pitch (degrees), --sigma; --screenshot OUT.ppm. Everything about sprites
+ * is in sprite_gl.h; here are a camera and a window.
  */
 #include <math.h>
 
@@ -28,6 +29,7 @@ static double yaw = 34, pitch = 20, zoom = 1; /* degrees */
 static double wanted = 4;                     /* sigma: virtual pixels a voxel */
 static double grabbed[2];
 static int dragging, paused;
+static uint32_t entity, entities; /* which one is shown, of how many */
 
 static const char* backdrop_glsl =
     "uniform vec3 eye, right, up, ahead, foot;\n" /* right and up reach to the window's edge */
@@ -64,7 +66,7 @@ static void draw(const svo_file* file, const svo_model* m, int width, int height
     const double right[3] = {cy, sy, 0}, up[3] = {-sy * sp, cy * sp, cp};
     const double ahead[3] = {-sy * cp, cy * cp, -sp};
     const double focal = 2.6, aspect = (double)width / height, near_plane = 0.1;
-    const svo_authored authored = svo_get_authored(file);
+    const svo_authored authored = svo_get_authored(file, entity);
     double centre[3], foot[3], eye[3], radius = 0, distance, x = 0, y = 0, sigma = wanted;
     GLfloat clip[16] = {0};
     lattice_view view;
@@ -83,7 +85,8 @@ static void draw(const svo_file* file, const svo_model* m, int width, int height
     if (!lattice_from_axes(&view, right, up, ahead, sigma, m->size)) return;
     lattice_face_light(view.D, light, 0.55, light8);
     if (view.size[0] > 0) {
-        sprite_cast(&gl, file, m, &view, light8, authored.outlined ? authored.outline : no_outline);
+        sprite_cast(&gl, file, entity, m, &view, light8,
+                    authored.outlined ? authored.outline : no_outline);
     }
 
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -128,7 +131,7 @@ static void draw(const svo_file* file, const svo_model* m, int width, int height
 
 /* The sprites of given views, by hash: WIDTHxHEIGHT, SHA-256 of the colours, SHA-256 of the ids. */
 static void hash_views(const svo_file* file, const svo_model* m, const char* path) {
-    const svo_authored authored = svo_get_authored(file);
+    const svo_authored authored = svo_get_authored(file, entity);
     size_t length;
     const char* text = read_file(path, &length);
     while (*text != 0) {
@@ -145,7 +148,7 @@ static void hash_views(const svo_file* file, const svo_model* m, const char* pat
         pixels = (uint8_t*)malloc(length + 1);
         if (!pixels) fail(path, "needs more memory than there is");
         if (length > 0) {
-            sprite_cast(&gl, file, m, &shot.view, shot.has_light ? shot.light8 : full,
+            sprite_cast(&gl, file, entity, m, &shot.view, shot.has_light ? shot.light8 : full,
                         !outlined        ? no_outline
                         : shot.has_light ? shot.outline
                                          : authored.outline);
@@ -195,6 +198,11 @@ static void on_wheel(GLFWwindow* window, double x, double y) {
     zoom = fmin(fmax(zoom * pow(1.1, y), 0.05), 2.4);
 }
 
+static void on_key(GLFWwindow* window, int key, int code, int action, int mods) {
+    (void)window, (void)code, (void)mods;
+    if (key == GLFW_KEY_TAB && action == GLFW_PRESS) entity = (entity + 1) % entities;
+}
+
 static void on_text(GLFWwindow* window, unsigned int letter) {
     (void)window;
     if (letter == '+' || letter == '=') wanted = fmin(wanted * 2, 32);
@@ -202,14 +210,15 @@ static void on_text(GLFWwindow* window, unsigned int letter) {
     if (letter == ' ') paused = !paused;
 }
 
-/* What the first clip shows. */
+/* What the entity's first clip shows. */
 static uint32_t model_at(const svo_file* file, double seconds) {
+    const svo_entity shown = svo_get_entity(file, entity);
     double all = 0, now;
     uint32_t k = 0;
     svo_clip clip;
     svo_frame frame;
-    if (file->clips == 0) return 0;
-    clip = svo_get_clip(file, 0);
+    if (shown.clip_count == 0) return shown.first_model;
+    clip = svo_get_clip(file, shown.first_clip);
     for (; k < clip.frame_count; ++k) {
         all += svo_get_frame(file, clip.first_frame + k).milliseconds;
     }
@@ -221,10 +230,17 @@ static uint32_t model_at(const svo_file* file, double seconds) {
     }
 }
 
+/* Number `only` of the entity's models, if it has so many. */
+static uint32_t shown_model(const svo_file* file, long only, double seconds) {
+    const svo_entity shown = svo_get_entity(file, entity);
+    if (only < 0 || only >= (long)shown.model_count) return model_at(file, seconds);
+    return shown.first_model + (uint32_t)only;
+}
+
 int main(int argc, char** argv) {
     const char *path = argc > 1 ? argv[1] : NULL, *views = NULL, *screenshot = NULL;
     const char *defines[2] = {"#define SPRITE_VERTEX\n", "\n"}, *text[2];
-    double seconds = 0, before = 0;
+    double seconds = 0, before = 0, sigma = 0;
     long only = -1;
     int i, width, height;
     size_t length;
@@ -235,20 +251,25 @@ int main(int argc, char** argv) {
     GLuint nothing;
     GLFWwindow* window;
 
-    if (!path) fail("usage", "viewer FILE.svo [--model N] [--lattice FILE] [--screenshot OUT.ppm]");
+    if (!path)
+        fail("usage",
+             "viewer FILE.svo [--entity N] [--model N] [--lattice FILE] [--screenshot OUT.ppm]");
     bytes = read_file(path, &length);
     if (!svo_open(&file, bytes, length, &error)) fail(path, error.reason);
-    wanted = svo_get_authored(&file).sigma;
+    entities = file.entities;
     for (i = 2; i + 1 < argc; i += 2) {
         const char* value = argv[i + 1];
+        if (strcmp(argv[i], "--entity") == 0) entity = (uint32_t)strtoul(value, NULL, 10);
         if (strcmp(argv[i], "--model") == 0) only = atol(value);
         if (strcmp(argv[i], "--lattice") == 0) views = value;
         if (strcmp(argv[i], "--screenshot") == 0) screenshot = value;
         if (strcmp(argv[i], "--yaw") == 0) yaw = atof(value);
         if (strcmp(argv[i], "--pitch") == 0) pitch = atof(value);
-        if (strcmp(argv[i], "--sigma") == 0) wanted = fmin(fmax(atof(value), 0.25), 32);
+        if (strcmp(argv[i], "--sigma") == 0) sigma = fmin(fmax(atof(value), 0.25), 32);
     }
-    if (only >= (long)file.models) fail(path, "has no such model");
+    if (entity >= entities) fail(path, "has no such entity");
+    if (only >= (long)svo_get_entity(&file, entity).model_count) fail(path, "has no such model");
+    wanted = sigma > 0 ? sigma : svo_get_authored(&file, entity).sigma;
 
     if (!glfwInit()) fail("GLFW", "does not start; is there a display?");
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -264,7 +285,7 @@ int main(int argc, char** argv) {
     glBindVertexArray(nothing);
     sprite_gl_create(&gl, &file);
     if (views) {
-        model = svo_get_model(&file, only < 0 ? 0 : (uint32_t)only);
+        model = svo_get_model(&file, shown_model(&file, only < 0 ? 0 : only, 0));
         hash_views(&file, &model, views);
         return 0;
     }
@@ -274,13 +295,14 @@ int main(int argc, char** argv) {
     glfwSetMouseButtonCallback(window, on_button);
     glfwSetCursorPosCallback(window, on_move);
     glfwSetScrollCallback(window, on_wheel);
+    glfwSetKeyCallback(window, on_key);
     glfwSetCharCallback(window, on_text);
     glfwSwapInterval(1);
     while (!glfwWindowShouldClose(window)) {
         const double now = glfwGetTime();
         if (!paused) seconds += now - before;
         before = now;
-        model = svo_get_model(&file, only < 0 ? model_at(&file, seconds) : (uint32_t)only);
+        model = svo_get_model(&file, shown_model(&file, only, seconds));
         glfwGetFramebufferSize(window, &width, &height);
         if (width > 0 && height > 0) draw(&file, &model, width, height);
         if (screenshot) {

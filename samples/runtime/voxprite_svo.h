@@ -35,7 +35,7 @@
 extern "C" {
 #endif
 
-enum { SVO_SECTIONS = 11 };
+enum { SVO_SECTIONS = 12 };
 
 /* UTF-8 without a terminating zero; `bytes` is of no use when `length` is 0. */
 typedef struct svo_text {
@@ -57,7 +57,8 @@ typedef struct svo_part {
 typedef struct svo_file {
     const uint8_t* bytes;
     uint64_t length;
-    uint32_t models; /* at least 1 */
+    uint32_t entities; /* at least 1; of a set of several each has models, clips ... of its own */
+    uint32_t models;   /* at least 1 */
     uint32_t clips;
     uint32_t frames; /* of all clips, one clip after the other */
     uint32_t sockets;
@@ -65,9 +66,17 @@ typedef struct svo_file {
     uint32_t node_count;
     const uint8_t* payloads; /* 8 bytes each */
     uint32_t payload_count;
-    const uint8_t* palette; /* 256 x R, G, B, A; entry 0 is empty */
+    const uint8_t* palette; /* 256 x R, G, B, A; entry 0 is empty. One an entity, in their order */
     svo_part parts[SVO_SECTIONS];
 } svo_file;
+
+/* What of the file belongs to one entity; indices are those of the file. */
+typedef struct svo_entity {
+    uint32_t first_model, model_count; /* at least 1 */
+    uint32_t first_clip, clip_count;
+    uint32_t first_socket, socket_count;
+    const uint8_t* palette; /* 256 x R, G, B, A */
+} svo_entity;
 
 typedef struct svo_model {
     svo_text name;
@@ -96,10 +105,10 @@ typedef struct svo_frame {
 typedef struct svo_socket {
     svo_text name;
     uint32_t first_position;
-    uint32_t position_count; /* 1: holds always; else one for each of svo_file.frames */
+    uint32_t position_count; /* 1: holds always; else one for each frame of the entity's clips */
 } svo_socket;
 
-/* What the entity was authored with; the game's own profile wins. */
+/* What an entity was authored with; the game's own profile wins. */
 typedef struct svo_authored {
     svo_text name;
     double voxel_size_metres;
@@ -112,14 +121,15 @@ typedef struct svo_authored {
 /* 1 when the bytes are a valid .svo; else 0 and the reason in `error` (which may be NULL). */
 int svo_open(svo_file* file, const void* bytes, size_t length, svo_error* error);
 
+svo_entity svo_get_entity(const svo_file* file, uint32_t entity);
 svo_model svo_get_model(const svo_file* file, uint32_t model);
 svo_clip svo_get_clip(const svo_file* file, uint32_t clip);
 svo_frame svo_get_frame(const svo_file* file, uint32_t frame);
 svo_socket svo_get_socket(const svo_file* file, uint32_t socket);
 /* x, y, z in voxels from the models' minimum corner; `position` from the socket's first on. */
 void svo_get_position(const svo_file* file, uint32_t position, double xyz[3]);
-svo_authored svo_get_authored(const svo_file* file);
-svo_text svo_get_colour_name(const svo_file* file, uint32_t material);
+svo_authored svo_get_authored(const svo_file* file, uint32_t entity);
+svo_text svo_get_colour_name(const svo_file* file, uint32_t entity, uint32_t material);
 
 /* The material of a voxel, 0 where it is empty or outside. O(max_depth). */
 uint8_t svo_voxel(const svo_file* file, const svo_model* model, uint32_t x, uint32_t y, uint32_t z);
@@ -146,16 +156,18 @@ enum {
     SVO__AUTH,
     SVO__STRS,
     SVO__SOCK, /* from here on a file may lack them */
-    SVO__SPOS
+    SVO__SPOS,
+    SVO__ENTY
 };
 
-/* Tag, bytes a record, and how many records where that is fixed. */
+/* Tag, bytes a record, and how many records an entity where that is fixed. */
 static const struct {
     char tag[5];
     uint32_t record, count;
-} svo__layouts[SVO_SECTIONS] = {{"MODL", 64, 0},  {"NODE", 4, 0},  {"PAYL", 8, 0}, {"PALT", 4, 256},
-                                {"CNAM", 8, 256}, {"CLIP", 32, 0}, {"FRAM", 8, 0}, {"AUTH", 64, 1},
-                                {"STRS", 1, 0},   {"SOCK", 16, 0}, {"SPOS", 24, 0}};
+} svo__layouts[SVO_SECTIONS] = {{"MODL", 64, 0},  {"NODE", 4, 0},   {"PAYL", 8, 0},
+                                {"PALT", 4, 256}, {"CNAM", 8, 256}, {"CLIP", 32, 0},
+                                {"FRAM", 8, 0},   {"AUTH", 64, 1},  {"STRS", 1, 0},
+                                {"SOCK", 16, 0},  {"SPOS", 24, 0},  {"ENTY", 32, 0}};
 
 static uint32_t svo__u32(const uint8_t* p) {
     return (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
@@ -189,6 +201,24 @@ static svo_text svo__text(const svo_file* file, const uint8_t* record) {
     svo_text text = {(const char*)file->parts[SVO__STRS].bytes, svo__u32(record + 4)};
     if (text.length > 0) text.bytes += svo__u32(record);
     return text;
+}
+
+svo_entity svo_get_entity(const svo_file* file, uint32_t index) {
+    svo_entity entity = {0, 0, 0, 0, 0, 0, NULL};
+    entity.palette = file->palette + (uint64_t)1024 * index;
+    entity.model_count = file->models;
+    entity.clip_count = file->clips;
+    entity.socket_count = file->sockets;
+    if (file->parts[SVO__ENTY].bytes) {
+        const uint8_t* r = svo__record(file, SVO__ENTY, index);
+        entity.first_model = svo__u32(r);
+        entity.model_count = svo__u32(r + 4);
+        entity.first_clip = svo__u32(r + 8);
+        entity.clip_count = svo__u32(r + 12);
+        entity.first_socket = svo__u32(r + 16);
+        entity.socket_count = svo__u32(r + 20);
+    }
+    return entity;
 }
 
 svo_model svo_get_model(const svo_file* file, uint32_t index) {
@@ -239,8 +269,8 @@ void svo_get_position(const svo_file* file, uint32_t position, double xyz[3]) {
     for (axis = 0; axis < 3; ++axis) xyz[axis] = svo__f64(r + 8 * axis);
 }
 
-svo_authored svo_get_authored(const svo_file* file) {
-    const uint8_t* r = svo__record(file, SVO__AUTH, 0);
+svo_authored svo_get_authored(const svo_file* file, uint32_t entity) {
+    const uint8_t* r = svo__record(file, SVO__AUTH, entity);
     svo_authored authored;
     int axis;
     authored.voxel_size_metres = svo__f64(r);
@@ -252,8 +282,8 @@ svo_authored svo_get_authored(const svo_file* file) {
     return authored;
 }
 
-svo_text svo_get_colour_name(const svo_file* file, uint32_t material) {
-    return svo__text(file, svo__record(file, SVO__CNAM, material));
+svo_text svo_get_colour_name(const svo_file* file, uint32_t entity, uint32_t material) {
+    return svo__text(file, svo__record(file, SVO__CNAM, 256 * entity + material));
 }
 
 static uint32_t svo__bits(uint32_t mask) {
@@ -369,9 +399,19 @@ static int svo__open_table(svo__check* c) {
 static int svo__open_sections(svo__check* c) {
     svo_file* file = c->file;
     int i;
+    file->entities = 1;
+    if (file->parts[SVO__ENTY].bytes) {
+        const uint64_t count = svo__records(file, SVO__ENTY);
+        if (count < 2 || count > 4096) {
+            return svo__refuse(c, svo__offset(c, file->parts[SVO__ENTY].bytes),
+                               "a set has not 2 ... 4,096 entities");
+        }
+        file->entities = (uint32_t)count;
+    }
     for (i = 0; i < SVO_SECTIONS; ++i) {
         const svo_part part = file->parts[i];
-        const uint64_t record = svo__layouts[i].record, count = svo__layouts[i].count;
+        const uint64_t record = svo__layouts[i].record;
+        const uint64_t count = (uint64_t)svo__layouts[i].count * file->entities;
         if (!part.bytes) {
             if (i < SVO__SOCK) return svo__refuse(c, 64, "a required section is missing");
         } else if (part.length % record != 0 || (count != 0 && part.length != record * count)) {
@@ -514,6 +554,31 @@ static int svo__check_places(svo__check* c, const svo_model* m, uint32_t index, 
     return svo__refuse(c, svo__offset(c, at), "the models hold more than 2^40 solid voxels");
 }
 
+/* The entities share out all models, clips and sockets, in their order. */
+static int svo__check_entities(svo__check* c) {
+    const svo_file* file = c->file;
+    uint32_t models = 0, clips = 0, sockets = 0, i;
+    for (i = 0; i < file->entities; ++i) {
+        const svo_entity e = svo_get_entity(file, i);
+        if (e.first_model != models || e.model_count > file->models - models ||
+            e.first_clip != clips || e.clip_count > file->clips - clips ||
+            e.first_socket != sockets || e.socket_count > file->sockets - sockets) {
+            return svo__refuse(c, svo__offset(c, svo__record(file, SVO__ENTY, i)),
+                               "an entity's models, clips or sockets are not the next ones");
+        }
+        models += e.model_count;
+        clips += e.clip_count;
+        sockets += e.socket_count;
+        if (e.model_count == 0 && file->entities > 1) {
+            return svo__refuse(c, svo__offset(c, svo__record(file, SVO__ENTY, i)),
+                               "an entity has no model");
+        }
+    }
+    if (models == file->models && clips == file->clips && sockets == file->sockets) return 1;
+    return svo__refuse(c, svo__offset(c, file->parts[SVO__ENTY].bytes),
+                       "there are models, clips or sockets that belong to no entity");
+}
+
 static int svo__check_models(svo__check* c) {
     svo_file* file = c->file;
     uint64_t nodes = 0, payloads = 0;
@@ -564,45 +629,56 @@ static int svo__check_models(svo__check* c) {
     return 1;
 }
 
+/* `shown` has a bit a model, set where a clip shows it; `end` counts frames, `unseen` models. */
+static int svo__check_clip(svo__check* c, uint32_t index, const svo_entity* entity, uint8_t* shown,
+                           uint32_t* end, uint32_t* unseen) {
+    const svo_file* file = c->file;
+    const uint8_t* record = svo__record(file, SVO__CLIP, index);
+    const uint64_t at = svo__offset(c, record);
+    svo_model first;
+    svo_clip clip;
+    uint32_t k;
+    if (!svo__check_text(c, record)) return 0;
+    clip = svo_get_clip(file, index);
+    if (clip.first_frame != *end || clip.frame_count < 1 ||
+        clip.frame_count > file->frames - *end) {
+        return svo__refuse(c, at + 8, "a clip's frames are none, or not the next ones of FRAM");
+    }
+    *end += clip.frame_count;
+    for (k = 0; k < clip.frame_count; ++k) {
+        const svo_frame frame = svo_get_frame(file, clip.first_frame + k);
+        svo_model model;
+        if (frame.model < entity->first_model ||
+            frame.model - entity->first_model >= entity->model_count) {
+            return svo__refuse(c, at, "a clip shows a model that is not, or another entity's");
+        }
+        if (frame.milliseconds < 1 || frame.milliseconds > 1000000) {
+            return svo__refuse(c, at, "a frame lasts not 1 ... 1,000,000 ms");
+        }
+        model = svo_get_model(file, frame.model);
+        if (k == 0) first = model;
+        if (memcmp(model.size, first.size, sizeof model.size) != 0 ||
+            memcmp(model.origin, first.origin, sizeof model.origin) != 0) {
+            return svo__refuse(c, at, "a clip shows models of different sizes or origins");
+        }
+        *unseen -= !(shown[frame.model / 8] >> frame.model % 8 & 1);
+        shown[frame.model / 8] |= (uint8_t)(1 << frame.model % 8);
+    }
+    return 1;
+}
+
 static int svo__check_clips(svo__check* c) {
-    svo_file* file = c->file;
+    const svo_file* file = c->file;
     const uint64_t at = svo__offset(c, file->parts[SVO__CLIP].bytes);
-    uint8_t shown[(2 << 16) / 8] = {0}; /* a bit a model */
-    uint32_t i, k, end = 0, unseen = file->models;
+    uint8_t shown[(2 << 16) / 8] = {0};
+    uint32_t e, i, end = 0, unseen = file->models;
     if (file->frames > 1 << 16 || file->models > 2 << 16) {
         return svo__refuse(c, at, "the file has more than 65,536 frames");
     }
-    for (i = 0; i < file->clips; ++i) {
-        const uint8_t* record = svo__record(file, SVO__CLIP, i);
-        svo_model first;
-        svo_clip clip;
-        if (!svo__check_text(c, record)) return 0;
-        clip = svo_get_clip(file, i);
-        if (clip.first_frame != end || clip.frame_count < 1 ||
-            clip.frame_count > file->frames - end) {
-            return svo__refuse(c, svo__offset(c, record) + 8,
-                               "a clip's frames are none, or not the next ones of FRAM");
-        }
-        end += clip.frame_count;
-        for (k = 0; k < clip.frame_count; ++k) {
-            const svo_frame frame = svo_get_frame(file, clip.first_frame + k);
-            svo_model model;
-            if (frame.model >= file->models) {
-                return svo__refuse(c, svo__offset(c, record), "a clip shows a model that is not");
-            }
-            if (frame.milliseconds < 1 || frame.milliseconds > 1000000) {
-                return svo__refuse(c, svo__offset(c, record),
-                                   "a frame lasts not 1 ... 1,000,000 ms");
-            }
-            model = svo_get_model(file, frame.model);
-            if (k == 0) first = model;
-            if (memcmp(model.size, first.size, sizeof model.size) != 0 ||
-                memcmp(model.origin, first.origin, sizeof model.origin) != 0) {
-                return svo__refuse(c, svo__offset(c, record),
-                                   "a clip shows models of different sizes or origins");
-            }
-            unseen -= !(shown[frame.model / 8] >> frame.model % 8 & 1);
-            shown[frame.model / 8] |= (uint8_t)(1 << frame.model % 8);
+    for (e = 0; e < file->entities; ++e) {
+        const svo_entity entity = svo_get_entity(file, e);
+        for (i = 0; i < entity.clip_count; ++i) {
+            if (!svo__check_clip(c, entity.first_clip + i, &entity, shown, &end, &unseen)) return 0;
         }
     }
     if (end != file->frames) {
@@ -616,8 +692,8 @@ static int svo__check_clips(svo__check* c) {
 }
 
 /* A point counted from the models' minimum corner; written so that NaN fails. */
-static int svo__is_near(const svo_file* file, const double xyz[3]) {
-    const svo_model first = svo_get_model(file, 0);
+static int svo__is_near(const svo_file* file, const svo_entity* entity, const double xyz[3]) {
+    const svo_model first = svo_get_model(file, entity->first_model);
     int axis;
     for (axis = 0; axis < 3; ++axis) {
         const double at = xyz[axis] + first.origin[axis];
@@ -628,59 +704,78 @@ static int svo__is_near(const svo_file* file, const double xyz[3]) {
 
 static int svo__check_authored(svo__check* c) {
     const svo_file* file = c->file;
-    const uint8_t* record = svo__record(file, SVO__AUTH, 0);
+    uint32_t e, i;
+    for (e = 0; e < file->entities; ++e) {
+        const uint8_t* record = svo__record(file, SVO__AUTH, e);
+        const uint64_t at = svo__offset(c, record);
+        const svo_entity entity = svo_get_entity(file, e);
+        svo_authored a;
+        if (!svo__check_text(c, record + 48)) return 0;
+        a = svo_get_authored(file, e);
+        if (!(a.voxel_size_metres >= 1e-6 && a.voxel_size_metres <= 1e6)) {
+            return svo__refuse(c, at, "VoxelSize is not 1e-6 ... 1e6 metres");
+        }
+        if (!(a.sigma >= 1.0 / 64.0 && a.sigma <= 64.0)) {
+            return svo__refuse(c, at + 8, "sigma is not 1/64 ... 64");
+        }
+        if (!svo__is_near(file, &entity, a.anchor)) {
+            return svo__refuse(c, at + 16, "the anchor lies beyond 1e7 voxels from the origin");
+        }
+        if (a.outline[3] != 255) return svo__refuse(c, at + 47, "the outline's alpha is not 255");
+        if (svo__u32(entity.palette) != 0) {
+            return svo__refuse(c, svo__offset(c, entity.palette),
+                               "palette entry 0 is not 0, 0, 0, 0");
+        }
+        for (i = 0; i < 256; ++i) {
+            if (!svo__check_text(c, svo__record(file, SVO__CNAM, 256 * e + i))) return 0;
+        }
+    }
+    return 1;
+}
+
+/* `frames` are those of the entity's clips; `end` counts positions. */
+static int svo__check_socket(svo__check* c, uint32_t index, const svo_entity* entity,
+                             uint32_t frames, uint64_t* end) {
+    const svo_file* file = c->file;
+    const uint8_t* record = svo__record(file, SVO__SOCK, index);
     const uint64_t at = svo__offset(c, record);
-    svo_authored a;
-    uint32_t i;
-    if (!svo__check_text(c, record + 48)) return 0;
-    a = svo_get_authored(file);
-    if (!(a.voxel_size_metres >= 1e-6 && a.voxel_size_metres <= 1e6)) {
-        return svo__refuse(c, at, "VoxelSize is not 1e-6 ... 1e6 metres");
+    svo_socket socket;
+    uint32_t k;
+    if (!svo__check_text(c, record)) return 0;
+    socket = svo_get_socket(file, index);
+    if (socket.first_position != *end ||
+        socket.position_count > svo__records(file, SVO__SPOS) - *end) {
+        return svo__refuse(c, at + 8, "a socket's positions are not the next ones of SPOS");
     }
-    if (!(a.sigma >= 1.0 / 64.0 && a.sigma <= 64.0)) {
-        return svo__refuse(c, at + 8, "sigma is not 1/64 ... 64");
+    *end += socket.position_count;
+    if (socket.position_count != 1 && (frames == 0 || socket.position_count != frames)) {
+        return svo__refuse(c, at + 12, "a socket has neither one position nor one a frame");
     }
-    if (!svo__is_near(file, a.anchor)) {
-        return svo__refuse(c, at + 16, "the anchor lies beyond 1e7 voxels from the origin");
-    }
-    if (a.outline[3] != 255) return svo__refuse(c, at + 47, "the outline's alpha is not 255");
-    if (svo__u32(file->palette) != 0) {
-        return svo__refuse(c, svo__offset(c, file->palette), "palette entry 0 is not 0, 0, 0, 0");
-    }
-    for (i = 0; i < 256; ++i) {
-        if (!svo__check_text(c, svo__record(file, SVO__CNAM, i))) return 0;
+    for (k = 0; k < socket.position_count; ++k) {
+        double xyz[3];
+        svo_get_position(file, socket.first_position + k, xyz);
+        if (!svo__is_near(file, entity, xyz)) {
+            return svo__refuse(c, at, "a socket lies beyond 1e7 voxels from the origin");
+        }
     }
     return 1;
 }
 
 static int svo__check_sockets(svo__check* c) {
     const svo_file* file = c->file;
-    const uint64_t positions = svo__records(file, SVO__SPOS);
     uint64_t end = 0;
-    uint32_t i, k;
-    for (i = 0; i < file->sockets; ++i) {
-        const uint8_t* record = svo__record(file, SVO__SOCK, i);
-        const uint64_t at = svo__offset(c, record);
-        svo_socket socket;
-        if (!svo__check_text(c, record)) return 0;
-        socket = svo_get_socket(file, i);
-        if (socket.first_position != end || socket.position_count > positions - end) {
-            return svo__refuse(c, at + 8, "a socket's positions are not the next ones of SPOS");
+    uint32_t e, i;
+    for (e = 0; e < file->entities; ++e) {
+        const svo_entity entity = svo_get_entity(file, e);
+        uint32_t frames = 0;
+        for (i = 0; i < entity.clip_count; ++i) {
+            frames += svo_get_clip(file, entity.first_clip + i).frame_count;
         }
-        end += socket.position_count;
-        if (socket.position_count != 1 &&
-            (file->frames == 0 || socket.position_count != file->frames)) {
-            return svo__refuse(c, at + 12, "a socket has neither one position nor one a frame");
-        }
-        for (k = 0; k < socket.position_count; ++k) {
-            double xyz[3];
-            svo_get_position(file, socket.first_position + k, xyz);
-            if (!svo__is_near(file, xyz)) {
-                return svo__refuse(c, at, "a socket lies beyond 1e7 voxels from the origin");
-            }
+        for (i = 0; i < entity.socket_count; ++i) {
+            if (!svo__check_socket(c, entity.first_socket + i, &entity, frames, &end)) return 0;
         }
     }
-    if (end == positions) return 1;
+    if (end == svo__records(file, SVO__SPOS)) return 1;
     return svo__refuse(c, svo__offset(c, file->parts[SVO__SPOS].bytes),
                        "there are positions that belong to no socket");
 }
@@ -693,8 +788,9 @@ int svo_open(svo_file* file, const void* bytes, size_t length, svo_error* error)
     file->bytes = (const uint8_t*)bytes;
     file->length = length;
     c.file = file;
-    valid = svo__open_table(&c) && svo__open_sections(&c) && svo__check_models(&c) &&
-            svo__check_clips(&c) && svo__check_authored(&c) && svo__check_sockets(&c);
+    valid = svo__open_table(&c) && svo__open_sections(&c) && svo__check_entities(&c) &&
+            svo__check_models(&c) && svo__check_clips(&c) && svo__check_authored(&c) &&
+            svo__check_sockets(&c);
     if (!valid && error) *error = c.error;
     return valid;
 }

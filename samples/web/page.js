@@ -6,7 +6,7 @@ const Page = (() => {
     const sigmas = [0.5, 1, 1.5, 2, 3, 4, 6, 8, 12, 16];
     const canvas = at("scene");
     const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, depth: false });
-    let file = null, scene = null, stale = true, paused = false, turning = false;
+    let file = null, entity = null, scene = null, stale = true, paused = false, turning = false;
     let clipMilliseconds = 0, before = 0, held = null, still = "";
 
     function say(text, wrong = false) {
@@ -16,9 +16,9 @@ const Page = (() => {
 
     function showFacts() {
         const model = shownModel(), size = model.size.join(" × ");
-        const height = model.size[2] * file.authored.voxelSizeMetres;
-        const clips = file.clips.length > 0 ? `, ${file.clips[0].frames.length} frames` : "";
-        at("name").textContent = file.authored.name || still || "untitled";
+        const height = model.size[2] * entity.authored.voxelSizeMetres;
+        const clips = entity.clips.length > 0 ? `, ${entity.clips[0].frames.length} frames` : "";
+        at("name").textContent = entity.authored.name || still || "untitled";
         at("facts").textContent = `${size} voxels, ${Number(height.toPrecision(3))} m high${clips}`;
     }
 
@@ -34,19 +34,29 @@ const Page = (() => {
         }
         file = next;
         still = name;
+        at("entity-row").hidden = file.entities.length === 1;
+        at("entity").replaceChildren(...file.entities.map(({ authored }, i) =>
+            new Option(authored.name || `entity ${i + 1}`, i)));
+        show(0);
+        return true;
+    }
+
+    // Another entity of the file.
+    function show(index) {
+        entity = file.entities[index];
+        at("entity").value = index;
         clipMilliseconds = 0;
         const nearest = sigmas.reduce((best, sigma, i) =>
-            (Math.abs(Math.log(sigma / file.authored.sigma)) <
-                Math.abs(Math.log(sigmas[best] / file.authored.sigma)) ? i : best), 0);
+            (Math.abs(Math.log(sigma / entity.authored.sigma)) <
+                Math.abs(Math.log(sigmas[best] / entity.authored.sigma)) ? i : best), 0);
         at("sigma").value = nearest;
-        at("play").hidden = file.clips.length === 0;
-        at("model-row").hidden = file.clips.length > 0 || file.models.length === 1;
-        at("model").max = file.models.length - 1;
+        at("play").hidden = entity.clips.length === 0;
+        at("model-row").hidden = entity.clips.length > 0 || entity.models.length === 1;
+        at("model").max = entity.models.length - 1;
         at("model").value = 0;
         say("");
         showFacts();
         stale = true;
-        return true;
     }
 
     async function openFile(chosen) {
@@ -60,8 +70,8 @@ const Page = (() => {
 
     // What the first clip shows now; without clips the model that is chosen.
     function shownModel() {
-        if (file.clips.length === 0) return file.models[Number(at("model").value)];
-        const { frames, loops } = file.clips[0];
+        if (entity.clips.length === 0) return entity.models[Number(at("model").value)];
+        const { frames, loops } = entity.clips[0];
         const all = frames.reduce((sum, frame) => sum + frame.milliseconds, 0);
         let now = loops ? clipMilliseconds % all : Math.min(clipMilliseconds, all - 1);
         for (const frame of frames) {
@@ -80,13 +90,13 @@ const Page = (() => {
             canvas.height = height;
         }
         const sigma = sigmas[Number(at("sigma").value)];
-        const told = scene.draw(file, shownModel(), sigma, width, height);
+        const told = scene.draw(entity, shownModel(), sigma, width, height);
         if (told.refused) {
             say(told.refused, true);
             return;
         }
         at("sigma-value").textContent = told.sigma === sigma ? `${sigma}` : `${sigma} (${told.sigma})`;
-        at("model-value").textContent = `${Number(at("model").value) + 1} of ${file.models.length}`;
+        at("model-value").textContent = `${Number(at("model").value) + 1} of ${entity.models.length}`;
         if (at("said").classList.contains("wrong")) return;
         say(`${told.size.join(" × ")} virtual pixels` + (told.by === "cpu"
             ? ". Too large for WebGL's 31 bits: cast, as exactly, by the processor" : ""));
@@ -95,7 +105,7 @@ const Page = (() => {
     function frame(now) {
         const passed = Math.min(now - before, 100);
         before = now;
-        if (file.clips.length > 0 && !paused) {
+        if (entity.clips.length > 0 && !paused) {
             const shown = shownModel();
             clipMilliseconds += passed;
             stale = stale || shownModel() !== shown;
@@ -147,6 +157,7 @@ const Page = (() => {
             if (step[event.key]) turn(...step[event.key]);
         });
         at("sigma").addEventListener("input", () => { say(""); stale = true; });
+        at("entity").addEventListener("input", () => show(Number(at("entity").value)));
         at("model").addEventListener("input", () => { showFacts(); stale = true; });
         at("file").addEventListener("change", (event) => openFile(event.target.files[0]));
         at("play").addEventListener("click", () => {

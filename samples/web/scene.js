@@ -68,8 +68,9 @@ class Scene {
         this.last = "";  // what the sprite in the caster was made of
     }
 
-    // Draws a model; tells how: { sigma in force, size, by, milliseconds } or { refused }.
-    draw(file, model, sigma, width, height) {
+    // Draws a model of an entity of the file that the caster has open; tells how: { sigma in force,
+    // size, by, milliseconds } or { refused }.
+    draw(entity, model, sigma, width, height) {
         const radians = Math.PI / 180, focal = 2.6, aspect = width / height;
         const cy = Math.cos(this.yaw * radians), sy = Math.sin(this.yaw * radians);
         const cp = Math.cos(this.pitch * radians), sp = Math.sin(this.pitch * radians);
@@ -85,7 +86,7 @@ class Scene {
         const view = Lattice.fromAxes({ right, up, forward: ahead }, sigma, model.size);
         if (model.size[0] === 0) return { sigma, size: [0, 0], by: "gpu" };
         if (!view || !this.caster.canShow(view)) return { refused: "this view has too many pixels" };
-        const told = this.castWhenNew(file, model, view);
+        const told = this.castWhenNew(entity, model, view);
 
         // The sprite stands in the plane through the centre, across the rays; pixels count from the
         // corner floor(size / 2).
@@ -106,13 +107,14 @@ class Scene {
     }
 
     // A sprite is a pure function of model, view and light: what is the same needs no ray.
-    castWhenNew(file, model, view) {
+    castWhenNew(entity, model, view) {
         const light8 = Lattice.faceLight(view.D, [0.35, -0.55, 0.8], 0.55);
-        const what = JSON.stringify([file.models.indexOf(model), view, light8]);
-        if (what !== this.last || file !== this.lastFile) {
-            this.by = this.caster.cast(model, view, light8, file.authored.outline);
+        const what = JSON.stringify([entity.models.indexOf(model), view, light8]);
+        if (what !== this.last || entity !== this.lastEntity) {
+            const { palette, authored } = entity;
+            this.by = this.caster.cast(model, palette, view, light8, authored.outline);
             this.last = what;
-            this.lastFile = file;
+            this.lastEntity = entity;
         }
         return { by: this.by };
     }

@@ -222,9 +222,10 @@ class SpriteCaster {
         return view.size.every((length) => length >= 1 && length <= this.most);
     }
 
-    // Casts a sprite into this.finished. Who did it: "gpu", or "cpu" where 31 bits are too few.
-    cast(model, view, light8, outline) {
-        const { gl, file } = this, lit = Lattice.litPalette(file.palette, light8);
+    // Casts a sprite into this.finished, in the colours of its entity. Who did it: "gpu", or "cpu"
+    // where 31 bits are too few.
+    cast(model, palette, view, light8, outline) {
+        const { gl, file } = this, lit = Lattice.litPalette(palette, light8);
         this.resize(view.size);
         if (!Lattice.isNarrow(view, model.size)) {
             this.upload(Lattice.cast(file, model, view, lit, outline));

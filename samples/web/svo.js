@@ -1,7 +1,7 @@
 // Reads .svo, the octrees that voxprite exports: the whole of ../runtime/SVO.md, with all its checks.
 //
 //     const file = Svo.read(arrayBuffer);     // or a Svo.Refused with .message and .offset
-//     file.models[0].size                     // [x, y, z] voxels
+//     file.entities[0].models[0].size         // [x, y, z] voxels
 //     file.words                              // Uint32Array: all nodes, then all payloads
 //     Svo.voxel(file, file.models[0], x, y, z)
 "use strict";
@@ -15,12 +15,12 @@ const Svo = (() => {
     }
 
     const magic = [0x89, 0x53, 0x56, 0x4f, 0x0d, 0x0a, 0x1a, 0x0a];
-    // Bytes a record, and how many records where that is fixed.
+    // Bytes a record, and how many records an entity where that is fixed.
     const required = {
         MODL: [64], NODE: [4], PAYL: [8], PALT: [4, 256], CNAM: [8, 256],
         CLIP: [32], FRAM: [8], AUTH: [64, 1], STRS: [1],
     };
-    const optional = { SOCK: [16], SPOS: [24] };
+    const optional = { SOCK: [16], SPOS: [24], ENTY: [32] };
 
     const crcTable = Uint32Array.from({ length: 256 }, (_, n) => {
         for (let bit = 0; bit < 8; ++bit) n = n & 1 ? (n >>> 1) ^ 0xedb88320 : n >>> 1;
@@ -47,6 +47,7 @@ const Svo = (() => {
             this.bytes = new Uint8Array(buffer);
             this.data = new DataView(buffer);
             this.sections = {};
+            this.entities = 1;
             this.textBytes = 0;
             this.solids = 0;
         }
@@ -106,13 +107,18 @@ const Svo = (() => {
                         `section ${tag} is not known, but must be`);
                 }
             }
+            if (this.sections.ENTY) {
+                this.entities = this.records("ENTY");
+                this.check(this.entities >= 2 && this.entities <= 4096, this.start("ENTY"),
+                    "a set has not 2 ... 4,096 entities");
+            }
             for (const [tag, [record, records]] of
                 [...Object.entries(required), ...Object.entries(optional)]) {
                 const section = this.sections[tag];
                 this.check(section || tag in optional, 64, `section ${tag} is missing`);
                 if (!section) continue;
                 this.check(section.length % record === 0 &&
-                    (!records || section.length === record * records), section.offset,
+                    (!records || section.length === record * records * this.entities), section.offset,
                     `section ${tag} has a wrong length`);
             }
             this.check(!this.sections.SOCK === !this.sections.SPOS, 64,
@@ -134,6 +140,25 @@ const Svo = (() => {
         }
         vector(at, bytes, get) {
             return [0, 1, 2].map((axis) => get.call(this, at + bytes * axis));
+        }
+
+        // What of the file each entity has; they share out all models, clips and sockets.
+        readShares() {
+            const tags = ["MODL", "CLIP", "SOCK"], ends = [0, 0, 0], all = tags.map((t) => this.records(t));
+            if (!this.sections.ENTY) return [{ first: ends, count: all }];
+            const shares = [];
+            for (let i = 0; i < this.entities; ++i) {
+                const at = this.start("ENTY") + 32 * i;
+                const first = this.vector(at, 8, this.u32), count = this.vector(at + 4, 8, this.u32);
+                this.check(first.every((f, k) => f === ends[k] && count[k] <= all[k] - f), at,
+                    "an entity's models, clips or sockets are not the next ones");
+                this.check(count[0] > 0, at, "an entity has no model");
+                count.forEach((n, k) => { ends[k] += n; });
+                shares.push({ first, count });
+            }
+            this.check(ends.every((end, k) => end === all[k]), this.start("ENTY"),
+                "there are models, clips or sockets that belong to no entity");
+            return shares;
         }
 
         readModels() {
@@ -249,30 +274,40 @@ const Svo = (() => {
             this.check(this.solids <= 2 ** 40, at, "the models hold more than 2^40 solid voxels");
         }
 
-        readClips(models) {
-            const clips = [], shown = new Set(), all = this.records("FRAM");
-            let end = 0;
-            for (let i = 0; i < this.records("CLIP"); ++i) {
-                const at = this.start("CLIP") + 32 * i, count = this.u32(at + 12);
-                const clip = { name: this.text(at), loops: (this.u32(at + 16) & 1) === 1, frames: [] };
-                this.check(this.u32(at + 8) === end && count >= 1 && count <= all - end, at + 8,
-                    "a clip's frames are none, or not the next ones of FRAM");
-                for (let k = 0; k < count; ++k) {
-                    const frame = this.start("FRAM") + 8 * (end + k);
-                    const model = this.u32(frame), milliseconds = this.u32(frame + 4);
-                    this.check(model < models.length, at, "a clip shows a model that is not");
-                    this.check(milliseconds >= 1 && milliseconds <= 1000000, at,
-                        "a frame lasts not 1 ... 1,000,000 ms");
-                    clip.frames.push({ model, milliseconds });
-                    shown.add(model);
-                    const one = models[model], first = models[clip.frames[0].model];
-                    this.check(one.size.every((length, axis) => length === first.size[axis]) &&
-                        one.origin.every((o, axis) => o === first.origin[axis]), at,
-                        "a clip shows models of different sizes or origins");
-                }
-                end += count;
-                clips.push(clip);
+        // Frames tell models by their number in the file.
+        readClip(models, at, share, first) {
+            const count = this.u32(at + 12);
+            const clip = { name: this.text(at), loops: (this.u32(at + 16) & 1) === 1, frames: [] };
+            this.check(this.u32(at + 8) === first && count >= 1 && count <= this.records("FRAM") - first,
+                at + 8, "a clip's frames are none, or not the next ones of FRAM");
+            for (let k = 0; k < count; ++k) {
+                const frame = this.start("FRAM") + 8 * (first + k);
+                const model = this.u32(frame), milliseconds = this.u32(frame + 4);
+                this.check(model >= share.first[0] && model - share.first[0] < share.count[0], at,
+                    "a clip shows a model that is not, or another entity's");
+                this.check(milliseconds >= 1 && milliseconds <= 1000000, at,
+                    "a frame lasts not 1 ... 1,000,000 ms");
+                clip.frames.push({ model, milliseconds });
+                const one = models[model], other = models[clip.frames[0].model];
+                this.check(one.size.every((length, axis) => length === other.size[axis]) &&
+                    one.origin.every((o, axis) => o === other.origin[axis]), at,
+                    "a clip shows models of different sizes or origins");
             }
+            return clip;
+        }
+
+        readClips(models, shares) {
+            const clips = [], shown = new Set();
+            let end = 0;
+            for (const share of shares) {
+                for (let i = 0; i < share.count[1]; ++i) {
+                    const clip = this.readClip(models, this.start("CLIP") + 32 * clips.length, share, end);
+                    for (const { model } of clip.frames) shown.add(model);
+                    end += clip.frames.length;
+                    clips.push(clip);
+                }
+            }
+            const all = this.records("FRAM");
             this.check(end === all, this.start("FRAM") + 8 * end,
                 "there are frames that belong to no clip");
             this.check(all + models.length - shown.size <= 65536, this.start("MODL"),
@@ -281,12 +316,12 @@ const Svo = (() => {
         }
 
         // Written so that NaN fails.
-        isNear(point, models) {
-            return point.every((x, axis) => Math.abs(x + models[0].origin[axis]) <= 1e7);
+        isNear(point, model) {
+            return point.every((x, axis) => Math.abs(x + model.origin[axis]) <= 1e7);
         }
 
-        readAuthored(models) {
-            const at = this.start("AUTH");
+        readAuthored(entity, firstModel) {
+            const at = this.start("AUTH") + 64 * entity;
             const authored = {
                 name: this.text(at + 48),
                 voxelSizeMetres: this.f64(at),
@@ -298,39 +333,38 @@ const Svo = (() => {
                 "VoxelSize is not 1e-6 ... 1e6 metres");
             this.check(authored.sigma >= 1 / 64 && authored.sigma <= 64, at + 8,
                 "sigma is not 1/64 ... 64");
-            this.check(this.isNear(authored.anchor, models), at + 16,
+            this.check(this.isNear(authored.anchor, firstModel), at + 16,
                 "the anchor lies beyond 1e7 voxels from the origin");
             this.check(this.bytes[at + 47] === 255, at + 47, "the outline's alpha is not 255");
             return authored;
         }
 
-        readPalette() {
-            const at = this.start("PALT");
+        readPalette(entity) {
+            const at = this.start("PALT") + 1024 * entity;
             this.check(this.u32(at) === 0, at, "palette entry 0 is not 0, 0, 0, 0");
             return this.bytes.slice(at, at + 1024);
         }
 
-        readSockets(models) {
-            const sockets = [], frames = this.records("FRAM");
-            let end = 0;
-            for (let i = 0; i < this.records("SOCK"); ++i) {
-                const at = this.start("SOCK") + 16 * i, count = this.u32(at + 12);
-                const socket = { name: this.text(at), positions: [] };
-                this.check(this.u32(at + 8) === end && count <= this.records("SPOS") - end, at + 8,
-                    "a socket's positions are not the next ones of SPOS");
-                this.check(count === 1 || (frames > 0 && count === frames), at + 12,
-                    "a socket has neither one position nor one a frame");
-                for (let k = 0; k < count; ++k, ++end) {
-                    const position = this.vector(this.start("SPOS") + 24 * end, 8, this.f64);
-                    this.check(this.isNear(position, models), at,
-                        "a socket lies beyond 1e7 voxels from the origin");
-                    socket.positions.push(position);
-                }
-                sockets.push(socket);
+        readColourNames(entity) {
+            const names = [];
+            for (let i = 0; i < 256; ++i) names.push(this.text(this.start("CNAM") + 2048 * entity + 8 * i));
+            return names;
+        }
+
+        // `position` is the next one of the file, `frames` are those of the entity's clips.
+        readSocket(at, frames, firstModel, position) {
+            const count = this.u32(at + 12), socket = { name: this.text(at), positions: [] };
+            this.check(this.u32(at + 8) === position && count <= this.records("SPOS") - position,
+                at + 8, "a socket's positions are not the next ones of SPOS");
+            this.check(count === 1 || (frames > 0 && count === frames), at + 12,
+                "a socket has neither one position nor one a frame");
+            for (let k = 0; k < count; ++k) {
+                const xyz = this.vector(this.start("SPOS") + 24 * (position + k), 8, this.f64);
+                this.check(this.isNear(xyz, firstModel), at,
+                    "a socket lies beyond 1e7 voxels from the origin");
+                socket.positions.push(xyz);
             }
-            this.check(end === this.records("SPOS"), 64,
-                "there are positions that belong to no socket");
-            return sockets;
+            return socket;
         }
 
         // Nodes, then payloads, two words each: what goes into a texture.
@@ -346,18 +380,31 @@ const Svo = (() => {
 
         read() {
             this.readTable();
-            const models = this.readModels();
-            const clips = this.readClips(models);
-            const authored = this.readAuthored(models);
-            const colourNames = [];
-            for (let i = 0; i < 256; ++i) colourNames.push(this.text(this.start("CNAM") + 8 * i));
-            return {
-                models, clips, authored, colourNames,
-                palette: this.readPalette(),
-                sockets: this.readSockets(models),
-                words: this.readWords(),
-                nodeCount: this.records("NODE"),
-            };
+            const shares = this.readShares(), models = this.readModels();
+            const clips = this.readClips(models, shares), entities = [];
+            let positions = 0;
+            shares.forEach(({ first, count }, i) => {
+                const own = (list, k) => list.slice(first[k], first[k] + count[k]);
+                const entity = {
+                    models: own(models, 0),
+                    clips: own(clips, 1),
+                    authored: this.readAuthored(i, models[first[0]]),
+                    palette: this.readPalette(i),
+                    colourNames: this.readColourNames(i),
+                    sockets: [],
+                };
+                const frames = entity.clips.reduce((sum, clip) => sum + clip.frames.length, 0);
+                for (let k = 0; k < count[2]; ++k) {
+                    const at = this.start("SOCK") + 16 * (first[2] + k);
+                    const socket = this.readSocket(at, frames, entity.models[0], positions);
+                    positions += socket.positions.length;
+                    entity.sockets.push(socket);
+                }
+                entities.push(entity);
+            });
+            this.check(positions === this.records("SPOS"), 64,
+                "there are positions that belong to no socket");
+            return { entities, models, words: this.readWords(), nodeCount: this.records("NODE") };
         }
     }
 

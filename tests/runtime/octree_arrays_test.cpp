@@ -189,6 +189,17 @@ TEST(OctreeArrays, AnIndependentDecoderFindsTheVoxelsOfEverySample) {
     }
 }
 
+TEST(OctreeArrays, AnIndependentDecoderFindsTheVoxelsOfUnlikeModelsInOneFile) {
+    std::vector<SvoFile> set;
+    std::vector<VoxelGrid> expected;
+    for (const test::ExportedSample& sample : test::exportedSamples()) {
+        set.push_back(test::must(readSvo(sample.bytes)));
+        for (VoxelGrid& model : decoded(sample.bytes)) expected.push_back(std::move(model));
+    }
+    EXPECT_EQ(decoded(test::must(writeSvoSet(set))), expected);
+    EXPECT_EQ(decoded(test::must(writeSvoSet({set.data(), 1}))).size(), set[0].models.size());
+}
+
 TEST(OctreeArrays, AnIndependentDecoderFindsTheVoxelsOfRandomModels) {
     std::mt19937 random(7);
     const auto below = [&](int n) { return std::uniform_int_distribution<int>(0, n - 1)(random); };

@@ -1,7 +1,8 @@
-/* The C reader and every damage: `reader_damage FILE...`, built with the sanitizers. Each file is
- * cut at every length and has every byte flipped, with checksums that are wrong and with such that
- * are right; what is accepted all the same is walked through. Each variant lies in memory of its
- * very own length, so that the sanitizer sees a byte read too many. */
+/* The C reader and every damage: `reader_damage FILE... -- OTHER...`, built with the sanitizers.
+ * Each file is cut at every length and has every byte flipped, with checksums that are wrong and
+ * with such that are right; what is accepted all the same is walked through. Each variant lies in
+ * memory of its very own length, so that the sanitizer sees a byte read too many. The other files
+ * are taken as they are, broken ones too. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -70,9 +71,21 @@ static void read_all(const svo_file* file) {
             sum += xyz[0] > 0.0;
         }
     }
-    for (i = 0; i < 256; ++i) read_text(svo_get_colour_name(file, i));
-    for (i = 0; i < 1024; ++i) sum += file->palette[i];
-    read_text(svo_get_authored(file).name);
+    for (i = 0; i < file->entities; ++i) {
+        const svo_entity entity = svo_get_entity(file, i);
+        for (k = 0; k < 256; ++k) read_text(svo_get_colour_name(file, i, k));
+        for (k = 0; k < 1024; ++k) sum += entity.palette[k];
+        for (k = 0; k < entity.model_count; ++k) {
+            sum += svo_get_model(file, entity.first_model + k).size[0];
+        }
+        for (k = 0; k < entity.clip_count; ++k) {
+            sum += svo_get_clip(file, entity.first_clip + k).frame_count;
+        }
+        for (k = 0; k < entity.socket_count; ++k) {
+            sum += svo_get_socket(file, entity.first_socket + k).position_count;
+        }
+        read_text(svo_get_authored(file, i).name);
+    }
 }
 
 /* 1 when accepted. */
@@ -99,12 +112,18 @@ static int try_bytes(const uint8_t* bytes, size_t length, int seal) {
     return valid;
 }
 
-static int damage(const char* path) {
-    static uint8_t bytes[1 << 16];
+static uint8_t bytes[1 << 16];
+
+static size_t read_bytes(const char* path) {
     FILE* in = fopen(path, "rb");
     const size_t length = in ? fread(bytes, 1, sizeof bytes, in) : 0;
-    size_t at;
     if (in) fclose(in);
+    return length;
+}
+
+static int damage(const char* path) {
+    const size_t length = read_bytes(path);
+    size_t at;
     if (length == 0 || length == sizeof bytes || !try_bytes(bytes, length, 0)) {
         fprintf(stderr, "%s is no small valid file\n", path);
         return 0;
@@ -128,9 +147,15 @@ static int damage(const char* path) {
 }
 
 int main(int argc, char** argv) {
-    int i;
+    int i, whole = 0;
     for (i = 1; i < argc; ++i) {
-        if (!damage(argv[i])) return 1;
+        if (strcmp(argv[i], "--") == 0) {
+            whole = 1;
+        } else if (whole) {
+            try_bytes(bytes, read_bytes(argv[i]), 0);
+        } else if (!damage(argv[i])) {
+            return 1;
+        }
     }
     printf("%lu variants accepted and walked, %lu refused (%lu)\n", accepted, refused, sum);
     return accepted > 0 && refused > 0 ? 0 : 1;

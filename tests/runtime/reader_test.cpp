@@ -24,30 +24,50 @@ std::string textOf(svo_text text) {
 }
 
 // What index.json tells of a valid file, from either reader.
-json told(const SvoFile& file) {
-    json models = json::array(), clips = json::array(), sockets = json::array();
-    for (const SvoModel& model : file.models) {
-        const Octree& o = model.octree;
-        models.push_back({{"name", model.name},
-                          {"size", {o.size.x, o.size.y, o.size.z}},
-                          {"origin", {o.origin.x, o.origin.y, o.origin.z}},
-                          {"max_depth", o.maxDepth},
-                          {"nodes", o.nodes.size()},
-                          {"payloads", o.payloads.size()}});
-    }
-    for (const SvoClip& clip : file.clips) {
-        json frames = json::array();
-        for (std::size_t i = 0; i < clip.models.size(); ++i) {
-            frames.push_back({clip.models[i], clip.durationsMilliseconds[i]});
+json toldOf(const std::string& name, const double anchor[3], const std::uint8_t* palette,
+            std::size_t models, std::size_t clips, std::size_t sockets) {
+    json colours = json::array();
+    for (int i = 0; i < 256; ++i) {
+        const std::uint8_t* c = palette + std::ptrdiff_t{4} * i;
+        if (c[0] != 0 || c[1] != 0 || c[2] != 0 || c[3] != 0) {
+            colours.push_back({i, c[0], c[1], c[2], c[3]});
         }
-        clips.push_back({{"name", clip.name}, {"loops", clip.loop}, {"frames", frames}});
     }
-    for (const SvoSocket& socket : file.sockets) {
-        json positions = json::array();
-        for (const glm::dvec3& p : socket.positions) positions.push_back({p.x, p.y, p.z});
-        sockets.push_back({{"name", socket.name}, {"positions", positions}});
+    return {{"name", name},       {"anchor", {anchor[0], anchor[1], anchor[2]}},
+            {"models", models},   {"clips", clips},
+            {"sockets", sockets}, {"colours", colours}};
+}
+
+json told(const std::vector<SvoFile>& set) {
+    json models = json::array(), clips = json::array(), sockets = json::array();
+    json entities = json::array();
+    for (const SvoFile& file : set) {
+        const std::size_t firstModel = models.size();
+        entities.push_back(toldOf(file.name, &file.anchor.x, &file.palette[0].x, file.models.size(),
+                                  file.clips.size(), file.sockets.size()));
+        for (const SvoModel& model : file.models) {
+            const Octree& o = model.octree;
+            models.push_back({{"name", model.name},
+                              {"size", {o.size.x, o.size.y, o.size.z}},
+                              {"origin", {o.origin.x, o.origin.y, o.origin.z}},
+                              {"max_depth", o.maxDepth},
+                              {"nodes", o.nodes.size()},
+                              {"payloads", o.payloads.size()}});
+        }
+        for (const SvoClip& clip : file.clips) {
+            json frames = json::array();
+            for (std::size_t i = 0; i < clip.models.size(); ++i) {
+                frames.push_back({firstModel + clip.models[i], clip.durationsMilliseconds[i]});
+            }
+            clips.push_back({{"name", clip.name}, {"loops", clip.loop}, {"frames", frames}});
+        }
+        for (const SvoSocket& socket : file.sockets) {
+            json positions = json::array();
+            for (const glm::dvec3& p : socket.positions) positions.push_back({p.x, p.y, p.z});
+            sockets.push_back({{"name", socket.name}, {"positions", positions}});
+        }
     }
-    return {{"models", models}, {"clips", clips}, {"sockets", sockets}};
+    return {{"models", models}, {"clips", clips}, {"sockets", sockets}, {"entities", entities}};
 }
 
 json told(const svo_file& file) {
@@ -81,12 +101,24 @@ json told(const svo_file& file) {
         }
         sockets.push_back({{"name", textOf(socket.name)}, {"positions", positions}});
     }
-    return {{"models", models}, {"clips", clips}, {"sockets", sockets}};
+    json entities = json::array();
+    for (std::uint32_t i = 0; i < file.entities; ++i) {
+        const svo_entity entity = svo_get_entity(&file, i);
+        const svo_authored authored = svo_get_authored(&file, i);
+        entities.push_back(toldOf(textOf(authored.name), authored.anchor, entity.palette,
+                                  entity.model_count, entity.clip_count, entity.socket_count));
+    }
+    return {{"models", models}, {"clips", clips}, {"sockets", sockets}, {"entities", entities}};
 }
 
 void expectTold(const json& actual, const json& expected) {
     for (const char* list : {"models", "clips", "sockets"}) {
         EXPECT_EQ(actual.at(list), expected.at(list)) << expected.at("file");
+    }
+    if (expected.contains("entities")) {
+        EXPECT_EQ(actual.at("entities"), expected.at("entities")) << expected.at("file");
+    } else {
+        EXPECT_EQ(actual.at("entities").size(), 1u) << expected.at("file");
     }
 }
 
@@ -119,7 +151,7 @@ void expectVoxels(const json& list, const std::vector<std::uint32_t>& size, cons
 
 TEST(Conformance, CoreReadsWhatIsValidAndRefusesTheRest) {
     for (const test::ConformanceFile& one : test::conformanceSet()) {
-        const Result<SvoFile> file = readSvo(one.bytes);
+        const Result<std::vector<SvoFile>> file = readSvoSet(one.bytes);
         ASSERT_EQ(file.has_value(), one.valid()) << one.entry;
         if (!file) {
             EXPECT_FALSE(file.error().message.empty());
@@ -127,8 +159,12 @@ TEST(Conformance, CoreReadsWhatIsValidAndRefusesTheRest) {
             continue;
         }
         json expected = one.entry;
-        for (std::size_t i = 0; i < file->models.size(); ++i) {
-            const Octree& octree = file->models[i].octree;
+        std::vector<SvoModel> models;
+        for (const SvoFile& entity : *file) {
+            models.insert(models.end(), entity.models.begin(), entity.models.end());
+        }
+        for (std::size_t i = 0; i < models.size(); ++i) {
+            const Octree& octree = models[i].octree;
             const auto voxelAt = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
                 return int{materialAt(octree.view(), glm::ivec3(glm::uvec3(x, y, z)))};
             };
@@ -173,7 +209,7 @@ TEST(CReader, ReadsExportedSamplesAsCoreDoes) {
         svo_error error{};
         ASSERT_TRUE(svo_open(&file, sample.bytes.data(), sample.bytes.size(), &error))
             << sample.name << ": " << error.reason;
-        EXPECT_EQ(told(file), told(expected)) << sample.name;
+        EXPECT_EQ(told(file), told(std::vector{expected})) << sample.name;
         for (std::uint32_t i = 0; i < file.models; ++i) {
             const svo_model model = svo_get_model(&file, i);
             const Octree& octree = expected.models[i].octree;
@@ -184,9 +220,9 @@ TEST(CReader, ReadsExportedSamplesAsCoreDoes) {
         }
         for (std::uint32_t i = 0; i < 256; ++i) {
             EXPECT_EQ(std::memcmp(file.palette + 4 * i, &expected.palette[i], 4), 0);
-            EXPECT_EQ(textOf(svo_get_colour_name(&file, i)), expected.colourNames[i]);
+            EXPECT_EQ(textOf(svo_get_colour_name(&file, 0, i)), expected.colourNames[i]);
         }
-        const svo_authored authored = svo_get_authored(&file);
+        const svo_authored authored = svo_get_authored(&file, 0);
         EXPECT_EQ(textOf(authored.name), expected.name);
         EXPECT_EQ(authored.voxel_size_metres, expected.voxelSizeMetres);
         EXPECT_EQ(authored.sigma, expected.sigma);
@@ -195,6 +231,49 @@ TEST(CReader, ReadsExportedSamplesAsCoreDoes) {
         EXPECT_EQ(authored.outlined == 1, expected.outline.enabled);
         EXPECT_EQ(std::memcmp(authored.outline, &expected.outline.colour, 4), 0);
     }
+}
+
+// A file with all samples: each entity is what its own file is.
+TEST(CReader, ReadsEverySampleOutOfOneFile) {
+    std::vector<SvoFile> set;
+    for (const test::ExportedSample& sample : test::exportedSamples()) {
+        set.push_back(must(readSvo(sample.bytes)));
+    }
+    const Bytes bytes = must(writeSvoSet(set));
+    EXPECT_EQ(must(readSvoSet(bytes)), set);
+    EXPECT_EQ(must(writeSvoSet(must(readSvoSet(bytes)))), bytes);
+    svo_file file;
+    svo_error error{};
+    ASSERT_TRUE(svo_open(&file, bytes.data(), bytes.size(), &error)) << error.reason;
+    ASSERT_EQ(file.entities, set.size());
+    EXPECT_EQ(told(file), told(set));
+    for (std::uint32_t i = 0; i < file.entities; ++i) {
+        const SvoFile& expected = set[i];
+        const svo_entity entity = svo_get_entity(&file, i);
+        EXPECT_EQ(std::memcmp(entity.palette, expected.palette.data(), 1024), 0);
+        for (std::uint32_t c = 0; c < 256; ++c) {
+            ASSERT_EQ(textOf(svo_get_colour_name(&file, i, c)), expected.colourNames[c]);
+        }
+        const svo_authored authored = svo_get_authored(&file, i);
+        EXPECT_EQ(authored.sigma, expected.sigma);
+        EXPECT_EQ(authored.voxel_size_metres, expected.voxelSizeMetres);
+        for (std::uint32_t k = 0; k < entity.model_count; ++k) {
+            const svo_model model = svo_get_model(&file, entity.first_model + k);
+            const Octree& octree = expected.models[k].octree;
+            EXPECT_EQ(std::memcmp(file.nodes + std::size_t{4} * model.node_offset,
+                                  octree.nodes.data(), 4 * octree.nodes.size()),
+                      0);
+            EXPECT_EQ(std::memcmp(file.payloads + std::size_t{8} * model.payload_offset,
+                                  octree.payloads.data(), 8 * octree.payloads.size()),
+                      0);
+        }
+    }
+    // Whoever asks for one entity is told of all.
+    const Result<SvoFile> one = readSvo(bytes);
+    ASSERT_FALSE(one.has_value());
+    EXPECT_NE(one.error().message.find("7 entities"), std::string::npos) << one.error().message;
+    EXPECT_EQ(must(readSvo(bytes, 2)), set[2]);
+    EXPECT_FALSE(readSvo(bytes, 7).has_value());
 }
 
 // SVO.md shows a file in the form of `hexdump -C`, where a row that repeats the one before is left

@@ -86,6 +86,25 @@ JobSet largeModel() {
     return set;
 }
 
+// All samples in one file, unlike in size and palette.
+JobSet allInOne() {
+    std::vector<SvoFile> files;
+    for (const ExportedSample& sample : exportedSamples()) {
+        files.push_back(must(readSvo(sample.bytes)));
+    }
+    JobSet set{"all", must(writeSvoSet(files)), {}};
+    const std::vector<OrbitAngles> views = twentyViews();
+    for (std::size_t entity = 0; entity < files.size(); ++entity) {
+        const auto last = static_cast<std::uint32_t>(files[entity].models.size() - 1);
+        for (const std::size_t view : {entity, entity + 8}) {
+            SpriteJob job = jobOf(files[entity], view % 2 == 0 ? 0 : last, views[view], 1.0, {});
+            job.entity = static_cast<std::uint32_t>(entity);
+            set.jobs.push_back(std::move(job));
+        }
+    }
+    return set;
+}
+
 }  // namespace
 
 nlohmann::json oneShot() {
@@ -117,6 +136,7 @@ std::vector<JobSet> spriteJobs() {
         sets.push_back(std::move(set));
     }
     sets.push_back(largeModel());
+    sets.push_back(allInOne());
     return sets;
 }
 

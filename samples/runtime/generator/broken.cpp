@@ -24,6 +24,7 @@ class BrokenCases {
         texts();
         clips();
         values();
+        entities();
         return std::move(cases_);
     }
 
@@ -39,7 +40,11 @@ class BrokenCases {
     }
     // Sections changed; all checksums are right.
     void addParts(const char* name, const char* why, const std::function<void(SvoParts&)>& change) {
-        SvoParts parts(lively_);
+        addParts(lively_, name, why, change);
+    }
+    void addParts(const Bytes& file, const char* name, const char* why,
+                  const std::function<void(SvoParts&)>& change) {
+        SvoParts parts(file);
         change(parts);
         add(name, why, parts.file());
     }
@@ -258,7 +263,50 @@ class BrokenCases {
         addValue("palette-0", "a colour for what is empty", "PALT", 0, U32{0xFF000000});
     }
 
+    // Of livelySet(): the second entity has three models, two clips and two sockets.
+    void entities() {
+        const auto add = [&](const char* name, const char* why,
+                             const std::function<void(SvoParts&)>& change) {
+            addParts(set_, name, why, change);
+        };
+        const auto value = [&](const char* name, const char* why, std::size_t at, U32 number) {
+            add(name, why, [=](SvoParts& p) { setValueAt(p["ENTY"], at, number); });
+        };
+        value("entity-gap", "an entity's models do not begin where they should", 32, U32{2});
+        value("entity-models", "an entity's models end beyond MODL", 64 + 4, ~U32{0});
+        value("entity-empty", "an entity without models", 4, U32{0});
+        value("entity-clips", "an entity's clips end beyond CLIP", 32 + 12, U32{3});
+        value("entity-sockets", "an entity's sockets begin before the file's", 32 + 16, ~U32{0});
+        add("entity-orphans", "models that belong to no entity", [](SvoParts& p) {
+            for (const char* tag : {"PALT", "CNAM", "AUTH", "ENTY"}) {
+                p[tag].resize(p[tag].size() / 3 * 2);
+            }
+        });
+        add("entity-frame", "a clip that shows another entity's model",
+            [](SvoParts& p) { setValueAt(p["FRAM"], 0, U32{0}); });
+        add("entity-later", "a clip that shows a later entity's model",
+            [](SvoParts& p) { setValueAt(p["FRAM"], 3 * 8, U32{4}); });
+        add("entity-palette", "a palette too few", [](SvoParts& p) { p["PALT"].resize(2 * 1024); });
+        add("entity-colour", "a colour for what is empty in a later palette",
+            [](SvoParts& p) { setValueAt(p["PALT"], 2 * 1024, U32{0xFF000000}); });
+        add("entity-author", "two records of AUTH for three entities",
+            [](SvoParts& p) { p["AUTH"].resize(2 * 64); });
+        add("entity-sigma", "sigma of a later entity is 65",
+            [](SvoParts& p) { setValueAt(p["AUTH"], 2 * 64 + 8, 65.0); });
+        add("entity-none", "a set of no entities", [](SvoParts& p) { p["ENTY"].clear(); });
+        add("entity-unmarked", "three palettes, and no word of entities",
+            [](SvoParts& p) { p.remove("ENTY"); });
+        addParts("entity-single", "a set of one entity", [](SvoParts& p) {
+            Bytes record(32, 0);
+            setValueAt(record, 4, U32{3});
+            setValueAt(record, 12, U32{2});
+            setValueAt(record, 20, U32{2});
+            p.parts.push_back({"ENTY", 1, record});
+        });
+    }
+
     Bytes lively_ = written(livelyFile());
+    Bytes set_ = written(livelySet());
     std::vector<Case> cases_;
 };
 

@@ -21,8 +21,11 @@ struct Case {
 [[nodiscard]] SvoFile exampleFile();
 // Clips, sockets, texts, several models: what the broken files are made from.
 [[nodiscard]] SvoFile livelyFile();
+// Three entities, unlike in size, palette, anchor and clips.
+[[nodiscard]] std::vector<SvoFile> livelySet();
 // Throws where the writer refuses: the set is at fault then.
 [[nodiscard]] Bytes written(const SvoFile& file);
+[[nodiscard]] Bytes written(const std::vector<SvoFile>& set);
 
 [[nodiscard]] std::vector<Case> validCases();
 [[nodiscard]] std::vector<Case> brokenCases();

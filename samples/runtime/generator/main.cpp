@@ -49,10 +49,11 @@ Json modelJson(const SvoModel& model) {
             {"voxels", voxelsJson(octree)}};
 }
 
-Json clipJson(const SvoClip& clip) {
+// Models count from the file's first.
+Json clipJson(const SvoClip& clip, std::size_t firstModel) {
     Json frames = Json::array();
     for (std::size_t i = 0; i < clip.models.size(); ++i) {
-        frames.push_back({clip.models[i], clip.durationsMilliseconds[i]});
+        frames.push_back({firstModel + clip.models[i], clip.durationsMilliseconds[i]});
     }
     return {{"name", clip.name}, {"loops", clip.loop}, {"frames", std::move(frames)}};
 }
@@ -63,14 +64,32 @@ Json socketJson(const SvoSocket& socket) {
     return {{"name", socket.name}, {"positions", std::move(positions)}};
 }
 
+Json entityJson(const SvoFile& file) {
+    Json colours = Json::array();
+    for (std::size_t i = 0; i < file.palette.size(); ++i) {
+        const Rgba8 c = file.palette[i];
+        if (c != Rgba8(0)) colours.push_back({i, c.x, c.y, c.z, c.w});
+    }
+    return {{"name", file.name},
+            {"anchor", {file.anchor.x, file.anchor.y, file.anchor.z}},
+            {"models", file.models.size()},
+            {"clips", file.clips.size()},
+            {"sockets", file.sockets.size()},
+            {"colours", std::move(colours)}};
+}
+
 Json caseJson(const Case& one) {
     Json json{{"file", one.name + ".svo"}, {"valid", one.valid}, {"shows", one.shows}};
     if (!one.valid) return json;
-    const SvoFile file = readSvo(one.bytes).value();
+    const std::vector<SvoFile> set = readSvoSet(one.bytes).value();
     for (const char* list : {"models", "clips", "sockets"}) json[list] = Json::array();
-    for (const SvoModel& model : file.models) json["models"].push_back(modelJson(model));
-    for (const SvoClip& clip : file.clips) json["clips"].push_back(clipJson(clip));
-    for (const SvoSocket& socket : file.sockets) json["sockets"].push_back(socketJson(socket));
+    for (const SvoFile& file : set) {
+        const std::size_t firstModel = json["models"].size();
+        for (const SvoModel& model : file.models) json["models"].push_back(modelJson(model));
+        for (const SvoClip& clip : file.clips) json["clips"].push_back(clipJson(clip, firstModel));
+        for (const SvoSocket& socket : file.sockets) json["sockets"].push_back(socketJson(socket));
+        if (set.size() > 1) json["entities"].push_back(entityJson(file));
+    }
     return json;
 }
 

@@ -56,6 +56,12 @@ Bytes written(const SvoFile& file) {
     return std::move(*bytes);
 }
 
+Bytes written(const std::vector<SvoFile>& set) {
+    Result<Bytes> bytes = writeSvoSet(set);
+    if (!bytes) throw std::runtime_error(bytes.error().describe());
+    return std::move(*bytes);
+}
+
 SvoFile exampleFile() {
     SvoFile file;
     file.name = "step";
@@ -91,6 +97,13 @@ SvoFile livelyFile() {
     return file;
 }
 
+std::vector<SvoFile> livelySet() {
+    SvoFile last = fileOf(voxelsAt({{{9, 9, 9}, 7}}), "one");
+    last.palette[7] = {1, 2, 3, 4};
+    last.sockets = {{"top", {{0.5, 0.5, 1.0}}}};
+    return {exampleFile(), livelyFile(), std::move(last)};
+}
+
 std::vector<Case> validCases() {
     std::vector<Case> cases;
     const auto add = [&](const char* name, const char* shows, const Bytes& bytes) {
@@ -122,10 +135,15 @@ std::vector<Case> validCases() {
     addFile("clips", "three models in two clips; node and payload offsets; texts in three scripts",
             plain);
     addFile("sockets", "version 1.1: sockets that hold always and for each frame", livelyFile());
+    add("set", "version 1.2: three unlike entities, with palettes, anchors and clips of their own",
+        written(livelySet()));
 
     SvoParts parts(written(livelyFile()));
     std::reverse(parts.parts.begin(), parts.parts.end());
     add("reversed", "the sections in another order", parts.file());
+    parts = SvoParts(written(livelySet()));
+    std::reverse(parts.parts.begin(), parts.parts.end());
+    add("set-reversed", "a set with its sections in another order", parts.file());
     parts = SvoParts(written(plain));
     parts.minor = 7;
     parts.parts.insert(parts.parts.begin() + 2, {"LODS", 0, Bytes(100, 7)});

@@ -5,11 +5,13 @@ using namespace voxprite;
 using namespace voxprite::fuzz;
 
 VOXPRITE_FUZZ_TARGET(bytes) {
-    const Result<SvoFile> read = readSvo(bytes);
+    const Result<std::vector<SvoFile>> read = readSvoSet(bytes);
     if (!read) return requireReason(read.error(), bytes.size());
-    const Result<Bytes> written = writeSvo(*read);
+    const Result<Bytes> written = writeSvoSet(*read);
     require(written.has_value());
-    const Result<SvoFile> again = readSvo(*written);
+    const Result<std::vector<SvoFile>> again = readSvoSet(*written);
     require(again.has_value() && *again == *read);
-    if (read->models.size() <= 16) requireValid(documentFromSvo(*read));
+    for (const SvoFile& entity : *read) {
+        if (entity.models.size() <= 16) requireValid(documentFromSvo(entity));
+    }
 }
