@@ -119,6 +119,10 @@ void addConvert(CLI::App& app, Command& command) {
         ->type_name("FILE");
     sub.add_flag("--strict", options->strict,
                  "Fail instead of leaving out what the format cannot hold");
+    sub.add_flag(
+        "--force", options->writing.replaceNeighbours,
+        "Replace files that lie beside OUT under the names of those written beside it, even "
+        "if no OUT refers to them");
     sub.add_option("--profile", options->profile,
                    "The game profile (JSON) whose values are recorded as authored")
         ->type_name("FILE");
@@ -132,11 +136,11 @@ void addConvert(CLI::App& app, Command& command) {
         ->type_name("NAME");
     addParsed(sub, "--threshold", "X", "Of a .vdb: density above this is solid (0.5)", numberFrom,
               [options](double threshold) { options->reading.vdb.threshold = threshold; });
+    addEntityOption(sub, options->reading);
     addMeshReadOptions(sub, options->reading);
     addMeshWriteOptions(sub, options->writing);
     addJsonFlag(sub, command);
     runs(sub, command, options, convert);
-    addEntityOption(sub, options->reading);
 }
 
 }  // namespace voxprite::cli

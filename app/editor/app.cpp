@@ -355,6 +355,7 @@ void App::dumpLayout() {
                          {"sigma", session_.profile().sigma},
                          {"file", session_.path() ? session_.path()->string() : ""},
                          {"dialog", openDialog()},
+                         {"browser", files_.browserSays()},
                          {"colour", settings_.tool.colour},
                          {"toast", toasts_.newest()}};
     if (overlays_.sheet.isOpen()) state["sheet"] = overlays_.sheet.said();

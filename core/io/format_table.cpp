@@ -234,6 +234,7 @@ constexpr std::array kFormats{
                .title = "Pictures of layers",
                .load = loadPng,
                .saveFiles = savePng,
+               .names = sliceNames,
                .folders = true,
                .holds = {.coordinates = true, .alpha = true},
                .losses = sliceLosses},
@@ -265,6 +266,8 @@ constexpr std::array kFormats{
                .title = "Wavefront mesh",
                .load = loadObj,
                .saveFiles = writeObj,
+               .names = objNames,
+               .refersTo = objRefersTo,
                .keepsVoxels = false,
                .holds = Holds::everything(),  // what is lost is told by the mesh writer alone
                .losses = objLosses},

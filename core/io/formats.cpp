@@ -47,6 +47,31 @@ Result<LoadedDocument> loadFolder(const std::filesystem::path& path, const ReadO
     return loaded;
 }
 
+bool holds(const std::filesystem::path& path, const Bytes& bytes) {
+    const Result<Bytes> there = readFile(path);
+    return there && *there == bytes;
+}
+
+// Nobody asked for what lies beside a file to be replaced, unless that file refers to it.
+Status keepNeighbours(const FormatInfo& info, const std::filesystem::path& path,
+                      const std::vector<NamedBytes>& files) {
+    for (const NamedBytes& file : files) {
+        const std::filesystem::path target = path.parent_path() / file.name;
+        std::error_code unknown;
+        if (&file == &files.back() || !std::filesystem::exists(target, unknown)) continue;
+        if (holds(target, file.bytes)) continue;
+        const bool ofOurs = std::filesystem::exists(path, unknown) &&
+                            (info.refersTo == nullptr || info.refersTo(path, file.name));
+        if (ofOurs) continue;
+        return failInFile(target.string(),
+                          "would be replaced by what is written beside " +
+                              path.filename().string() +
+                              ", and no such file refers to it; move it away, choose another name "
+                              "or force it (nothing was written)");
+    }
+    return {};
+}
+
 }  // namespace
 
 const FormatInfo& infoOf(Format format) {
@@ -121,6 +146,22 @@ std::vector<std::string> lossesOf(const Document& document, Format format) {
     return losses;
 }
 
+std::vector<std::filesystem::path> replacedBySaving(const std::filesystem::path& path,
+                                                    const Document& document) {
+    std::vector<std::string> names{path.filename().string()};
+    const Result<Format> format = formatOf(path);
+    if (format && infoOf(*format).names != nullptr) {
+        names = infoOf(*format).names(path.filename(), document);
+    }
+    std::vector<std::filesystem::path> replaced;
+    for (const std::string& name : names) {
+        std::error_code unknown;
+        const std::filesystem::path file = path.parent_path() / name;
+        if (std::filesystem::exists(file, unknown)) replaced.push_back(file);
+    }
+    return replaced;
+}
+
 Status saveDocument(const std::filesystem::path& path, const Document& document,
                     const GameProfile& profile, std::stop_token stop, const WriteOptions& options) {
     const Result<Format> format = formatOf(path);
@@ -130,6 +171,9 @@ Status saveDocument(const std::filesystem::path& path, const Document& document,
     const Result<std::vector<NamedBytes>> files = filesOf(infoOf(*format), request);
     if (stop.stop_requested()) return failInFile(path.string(), "cancelled, nothing written");
     if (!files) return inFile(Status(Failure(files.error())), path.string());
+    if (!options.replaceNeighbours) {
+        if (Status s = keepNeighbours(infoOf(*format), path, *files); !s) return s;
+    }
     for (const NamedBytes& file : *files) {
         const std::filesystem::path target = path.parent_path() / file.name;
         if (Status s = inFile(writeFileAtomically(target, ByteView(file.bytes)), target.string());

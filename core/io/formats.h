@@ -45,6 +45,9 @@ struct ReadOptions {
 // The same for writing.
 struct WriteOptions {
     MeshWriteOptions mesh;
+    // Whoever asks for a file means to replace that one; what is written beside it replaces only
+    // what an earlier file of its name refers to, unless this says that all of it may go.
+    bool replaceNeighbours = false;
 };
 
 // What a reader gets. A format that is spread over several files finds the others by `path`, and
@@ -82,6 +85,12 @@ struct FormatInfo {
     // In place of `save` for formats of several files side by side: the last of them is the one
     // that was asked for, `request.name`, and refers to the others.
     Result<std::vector<NamedBytes>> (*saveFiles)(const SaveRequest& request) = nullptr;
+    // With `saveFiles`: the names of all files that a document would be written to, the one that
+    // was asked for last; and whether the file at `path`, as it lies there, refers to the one of
+    // that name beside it.
+    std::vector<std::string> (*names)(const std::filesystem::path& name,
+                                      const Document& document) = nullptr;
+    bool (*refersTo)(const std::filesystem::path& path, const std::string& neighbour) = nullptr;
     // A folder of such files is a document, too; then `load` gets no bytes.
     bool folders = false;
     // False of meshes, which hold surfaces: reading them makes voxels anew.
@@ -118,6 +127,9 @@ struct FormatInfo {
                                                   const ReadOptions& options = {});
 // What writing the document in this format leaves out, one sentence each; none for .voxprite.
 [[nodiscard]] std::vector<std::string> lossesOf(const Document& document, Format format);
+// The files that saving would replace, those beside `path` first: what a person has to agree to.
+[[nodiscard]] std::vector<std::filesystem::path> replacedBySaving(const std::filesystem::path& path,
+                                                                  const Document& document);
 // Each file atomically, the one that refers to the others last. For .svo this is the verified
 // export: the bytes are read back and compared voxel by voxel before the file appears under its
 // name. Asked to stop while it works it fails, having written nothing.

@@ -37,5 +37,11 @@ namespace voxprite {
 [[nodiscard]] Result<Bytes> writeGlb(const SaveRequest& request);
 // The .obj, and beside it its .mtl and the palette as .png, named after it.
 [[nodiscard]] Result<std::vector<NamedBytes>> writeObj(const SaveRequest& request);
+// What it names them, without a folder, the .obj last.
+[[nodiscard]] std::vector<std::string> objNames(const std::filesystem::path& name,
+                                                const Document& document);
+// Does the .obj that lies there refer to the file of that name beside it: by `mtllib`, or in those
+// materials by `map_Kd`? Only their first 64 KiB are looked at.
+[[nodiscard]] bool objRefersTo(const std::filesystem::path& path, const std::string& neighbour);
 
 }  // namespace voxprite

@@ -1,7 +1,10 @@
 // Wavefront .obj, and beside it .mtl and the palette as .png.
+#include <algorithm>
 #include <charconv>
+#include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <tuple>
 
@@ -139,14 +142,55 @@ class ObjWriter {
     std::map<std::uint8_t, std::size_t> texturePoints_;
 };
 
+std::string stemOf(const std::filesystem::path& name) {
+    return word(name.stem().string(), "model");
+}
+
+// What lines of a text file name after a keyword, as plain names that stay in the folder.
+std::vector<std::string> namesAfter(const std::string& keyword, const std::filesystem::path& path) {
+    std::string head(std::size_t{64} << 10, '\0');
+    std::ifstream in(path, std::ios::binary);
+    in.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+    std::vector<std::string> names;
+    std::istringstream lines(head);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string first;
+        words >> first >> std::ws;
+        if (first != keyword) continue;
+        std::string name;
+        std::getline(words, name);
+        while (!name.empty() && (name.back() == '\r' || name.back() == ' ')) name.pop_back();
+        if (std::filesystem::path(name).filename() == name) names.push_back(name);
+    }
+    return names;
+}
+
 Bytes bytesOf(const std::string& text) {
     return {text.begin(), text.end()};
 }
 
 }  // namespace
 
+std::vector<std::string> objNames(const std::filesystem::path& name, const Document& document) {
+    static_cast<void>(document);
+    const std::string stem = stemOf(name);
+    return {stem + ".png", stem + ".mtl", name.string()};
+}
+
+bool objRefersTo(const std::filesystem::path& path, const std::string& neighbour) {
+    for (const std::string& materials : namesAfter("mtllib", path)) {
+        if (materials == neighbour) return true;
+        const std::vector<std::string> textures =
+            namesAfter("map_Kd", path.parent_path() / materials);
+        if (std::ranges::find(textures, neighbour) != textures.end()) return true;
+    }
+    return false;
+}
+
 Result<std::vector<NamedBytes>> writeObj(const SaveRequest& request) {
-    const std::string stem = word(request.name.stem().string(), "model");
+    const std::string stem = stemOf(request.name);
     std::string materials = "# voxprite\nnewmtl palette\nKd 1 1 1\n";
     std::vector<NamedBytes> files;
     if (!request.options.mesh.vertexColours) {

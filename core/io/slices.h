@@ -67,6 +67,9 @@ struct SlicePicture {
 // be (core/io/png.h).
 [[nodiscard]] Result<std::vector<SlicePicture>> writeSlices(const Document& document,
                                                             const std::filesystem::path& name);
+// The names of those files, without a folder.
+[[nodiscard]] std::vector<std::string> sliceNames(const std::filesystem::path& name,
+                                                  const Document& document);
 // What is lost besides what core/io/holds.h tells.
 [[nodiscard]] std::vector<std::string> sliceLosses(const Document& document);
 // Fails where a stack of this many layers would lie beside files of another that go on where it

@@ -27,6 +27,19 @@ std::string numbered(const SliceName& name, std::size_t layer, const std::string
 
 }  // namespace
 
+std::vector<std::string> sliceNames(const std::filesystem::path& name, const Document& document) {
+    const std::optional<SliceName> stack = sliceNameOf(name);
+    if (!stack || !isSurelyNumbered(*stack)) return {name.string()};
+    const IBox box = flatten(document, 0).bounds();
+    const int layers = box.empty() ? 1 : box.size().z;
+    std::vector<std::string> names;
+    for (int layer = layers - 1; layer >= 0; --layer) {
+        names.push_back(
+            numbered(*stack, static_cast<std::size_t>(layer), name.extension().string()));
+    }
+    return names;
+}
+
 Result<std::vector<SlicePicture>> writeSlices(const Document& document,
                                               const std::filesystem::path& name) {
     if (Status s = validate(document); !s) return Failure(s.error());

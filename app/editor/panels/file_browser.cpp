@@ -33,6 +33,24 @@ std::string sizeText(std::uintmax_t bytes) {
     return buffer.data();
 }
 
+// All of few files by name, of many the one that was asked for.
+std::string questionAbout(const std::vector<fs::path>& replaced) {
+    constexpr std::size_t kNamed = 3;
+    const auto nameOf = [](const fs::path& path) { return path.filename().string(); };
+    if (replaced.size() == 1) {
+        return nameOf(replaced[0]) + " exists. Press again to replace it";
+    }
+    if (replaced.size() > kNamed) {
+        return nameOf(replaced.back()) + " and " + std::to_string(replaced.size() - 1) +
+               " files beside it exist. Press again to replace them";
+    }
+    std::string names = nameOf(replaced.front());
+    for (std::size_t i = 1; i < replaced.size(); ++i) {
+        names += (i + 1 == replaced.size() ? " and " : ", ") + nameOf(replaced[i]);
+    }
+    return names + " exist. Press again to replace them";
+}
+
 }  // namespace
 
 void FileBrowser::open(Request request) {
@@ -52,6 +70,7 @@ void FileBrowser::enter(const fs::path& folder) {
     folder_ = folder;
     problem_.clear();
     overwrite_.clear();
+    way_ = 0;
     entries_.clear();
     std::error_code failed;
     for (fs::directory_iterator at(folder, failed), end; !failed && at != end;
@@ -184,12 +203,20 @@ std::optional<fs::path> FileBrowser::accept() {
         return std::nullopt;
     }
     if (lower(path.extension().string()) != endingFor(path)) path += request_.extensions.front();
-    if (fs::exists(path, ignored) && overwrite_ != path.string()) {
+    const std::vector<fs::path> replaced = replacedBy(path);
+    if (!replaced.empty() && overwrite_ != path.string()) {
         overwrite_ = path.string();
-        problem_ = path.filename().string() + " exists. Press again to replace it";
+        problem_ = questionAbout(replaced);
         return std::nullopt;
     }
     return path;
+}
+
+std::vector<fs::path> FileBrowser::replacedBy(const fs::path& path) const {
+    if (request_.replaced) return request_.replaced(path);
+    std::error_code ignored;
+    if (fs::exists(path, ignored)) return {path};
+    return {};
 }
 
 void FileBrowser::findLosses() {
@@ -260,11 +287,24 @@ void FileBrowser::drawFormats(Ui& ui, float width) {
     ui.probe.markItem("browser.formats");
 }
 
+void FileBrowser::drawWays(Ui& ui, float width) {
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::BeginCombo("##way", request_.ways[way_].c_str())) {
+        for (std::size_t way = 0; way < request_.ways.size(); ++way) {
+            if (ImGui::Selectable(request_.ways[way].c_str(), way == way_)) way_ = way;
+            ui.probe.markItem("browser.way." + std::to_string(way));
+        }
+        ImGui::EndCombo();
+    }
+    ui.probe.markItem("browser.ways");
+}
+
 void FileBrowser::drawFooter(Ui& ui, bool& accepted) {
     const Theme& theme = ui.theme;
     const ImVec2 button(theme.px(96), theme.px(30));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, theme.px(10, 7));
-    const float formats = choosesFormat() ? theme.px(188) : 0.0f;
+    const bool choosesWay = request_.ways.size() > 1;
+    const float formats = choosesFormat() || choosesWay ? theme.px(188) : 0.0f;
     const float beside =
         2 * (button.x + theme.px(8)) + (formats > 0.0f ? formats + theme.px(8) : 0.0f);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - beside);
@@ -279,7 +319,11 @@ void FileBrowser::drawFooter(Ui& ui, bool& accepted) {
     ui.probe.markItem("browser.name");
     if (formats > 0.0f) {
         ImGui::SameLine(0.0f, theme.px(8));
-        drawFormats(ui, formats);
+        if (choosesWay) {
+            drawWays(ui, formats);
+        } else {
+            drawFormats(ui, formats);
+        }
     }
     ImGui::PopStyleVar();
     ImGui::SameLine(0.0f, theme.px(8));

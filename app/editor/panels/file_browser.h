@@ -23,11 +23,19 @@ class FileBrowser {
         // What people call the format of this ending: where there is more than one, it can be
         // chosen by that when saving.
         std::function<std::string(const std::string& ending)> formatName{};
+        // Ways to write the file, one of which is chosen beside its name.
+        std::vector<std::string> ways{};
         // What a file of this name would leave out, a sentence each; said before it is written.
         std::function<std::vector<std::string>(const std::filesystem::path&)> losses{};
+        // The files that saving under this name would replace; without it that file alone.
+        std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)> replaced{};
     };
     void open(Request request);
     [[nodiscard]] bool isOpen() const { return open_; }
+    // Which of the request's ways was chosen.
+    [[nodiscard]] std::size_t way() const { return way_; }
+    // Why the name cannot be used, or what has to be agreed to first.
+    [[nodiscard]] const std::string& says() const { return problem_; }
     // Draws it while open; returns the path when one was chosen. Overwriting has been confirmed.
     [[nodiscard]] std::optional<std::filesystem::path> draw(Ui& ui);
 
@@ -43,10 +51,13 @@ class FileBrowser {
     // The ending that a file of this name is saved with.
     [[nodiscard]] std::string endingFor(const std::filesystem::path& path) const;
     [[nodiscard]] std::optional<std::filesystem::path> accept();
+    [[nodiscard]] std::vector<std::filesystem::path> replacedBy(
+        const std::filesystem::path& path) const;
     [[nodiscard]] bool choosesFormat() const {
         return request_.saving && request_.formatName && request_.extensions.size() > 1;
     }
     void drawFormats(Ui& ui, float width);
+    void drawWays(Ui& ui, float width);
     void findLosses();
     // Why the name cannot be used, else what its format leaves out; so many lines.
     [[nodiscard]] int noteLines() const;
@@ -62,6 +73,7 @@ class FileBrowser {
     std::string problem_;                   // why the name cannot be used
     std::optional<std::string> lossesFor_;  // the ending that losses_ are of
     std::vector<std::string> losses_;
+    std::size_t way_ = 0;
     std::string overwrite_;  // the name whose overwriting is asked about
 };
 

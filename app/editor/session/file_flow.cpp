@@ -2,7 +2,10 @@
 
 #include "app/editor/panels/progress.h"
 #include "app/editor/panels/toasts.h"
+#include "core/base/file.h"
+#include "core/edit/unused_models.h"
 #include "core/io/formats.h"
+#include "core/io/svo_set.h"
 
 namespace voxprite::editor {
 namespace {
@@ -42,18 +45,30 @@ void FileFlow::saveAs() {
             .extensions = writtenEndings(),
             .name = stemOf(context_.session) + ".voxprite",
             .formatName = formatName,
-            .losses = [this](const std::filesystem::path& path) { return lossesAt(path); }},
+            .losses = [this](const std::filesystem::path& path) { return lossesAt(path); },
+            .replaced =
+                [this](const std::filesystem::path& path) {
+                    return replacedBySaving(path, context_.session.document());
+                }},
            [this](CommandContext&, const std::filesystem::path& path) { saveTo(path); });
 }
 
 void FileFlow::exportOctree() {
+    const Document& document = context_.session.document();
+    const int models = static_cast<int>(document.models.size()) - unusedModels(document);
+    std::vector<std::string> ways;
+    if (models > 1) ways = {"As one sprite", "Each model as one"};
     browse({.title = "Export the octree for the game's runtime",
             .button = "Export",
             .saving = true,
             .extensions = {".svo"},
             .name = stemOf(context_.session) + ".svo",
+            .ways = std::move(ways),
             .losses = [this](const std::filesystem::path& path) { return lossesAt(path); }},
-           [this](CommandContext&, const std::filesystem::path& path) { exportTo(path); });
+           [this](CommandContext&, const std::filesystem::path& path) {
+               if (browser_.way() == 1) return exportModelsTo(path);
+               exportTo(path);
+           });
 }
 
 void FileFlow::exportSheet(SheetExport asked) {
@@ -336,6 +351,30 @@ void FileFlow::exportTo(const std::filesystem::path& path) {
         tellLosses(path);
         context_.toasts.info("Exported and verified " + name);
     });
+}
+
+void FileFlow::exportModelsTo(const std::filesystem::path& path) {
+    const std::string name = path.filename().string();
+    const auto writing = [this, path, name, document = context_.session.snapshot(),
+                          profile = context_.session.profile(), stem = stemOf(context_.session)](
+                             JobProgress& progress) -> BackgroundJob::Done {
+        progress.enter("Writing", 0.0);
+        const Document shown = withoutUnusedModels(*document);
+        const std::vector<SetMember> members = modelsOneByOne(shown, profile, stem);
+        const Result<Bytes> bytes = exportSvoSet(members);
+        Status done;
+        if (!bytes) {
+            done = Failure(bytes.error());
+        } else if (!progress.stopToken().stop_requested()) {
+            done = writeFileAtomically(path, *bytes);
+        }
+        return [this, path, name, done, count = members.size()] {
+            if (!tell(inFile(Status(done), path.string()), {})) return;
+            context_.toasts.info("Exported and verified " + std::to_string(count) + " models as " +
+                                 name);
+        };
+    };
+    static_cast<void>(tell(work("Exporting " + name, writing), {}));
 }
 
 void FileFlow::saveTo(const std::filesystem::path& path) {

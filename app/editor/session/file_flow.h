@@ -27,6 +27,7 @@ class FileFlow {
     void open(const std::filesystem::path& file);
     void save();
     void saveAs();
+    // As one sprite, or each model as one, all in one file.
     void exportOctree();
     // Behind the window.
     void exportSheet(SheetExport asked);
@@ -64,6 +65,8 @@ class FileFlow {
     // Scripts do one thing after another: waits until nothing goes on.
     void finishWork();
     [[nodiscard]] bool isBrowsing() const { return browser_.isOpen(); }
+    // What the browser says of the name; empty while it has nothing against it.
+    [[nodiscard]] const std::string& browserSays() const { return browser_.says(); }
     // Asks what voxels a mesh shall become.
     [[nodiscard]] bool isImporting() const { return import_.isOpen(); }
 
@@ -83,6 +86,7 @@ class FileFlow {
     void readNow(const std::filesystem::path& path, const ReadOptions& options);
     void saveTo(const std::filesystem::path& path);
     void exportTo(const std::filesystem::path& path);
+    void exportModelsTo(const std::filesystem::path& path);
     void write(std::string title, const std::filesystem::path& path,
                const std::function<void()>& afterwards);
     void cancelWork();

@@ -91,7 +91,9 @@ Result<Session::Saving> Session::beginSaving(const std::filesystem::path& path) 
 }
 
 Session::Written Session::write(const Saving& saving, std::stop_token stop) {
-    Status saved = saveDocument(saving.path, saving.document, saving.profile, std::move(stop));
+    // Whatever is replaced has been agreed to.
+    Status saved = saveDocument(saving.path, saving.document, saving.profile, std::move(stop),
+                                {.mesh = {}, .replaceNeighbours = true});
     if (!saved) return Failure(saved.error());
     // At once: what another program writes before the window comes to know that this is saved must
     // not be taken for what was written here.

@@ -1,0 +1,80 @@
+// Files in the window: what would be replaced is told, and many models go into one file.
+#include <fstream>
+
+#include "core/base/file.h"
+#include "core/io/formats.h"
+#include "core/io/svo_set.h"
+#include "tests/app/editor_window.h"
+#include "tests/support/must.h"
+#include "tests/support/voxels.h"
+
+namespace voxprite::test {
+namespace {
+
+using Json = nlohmann::json;
+
+class FilesInAWindow : public EditorWindow {
+  protected:
+    void open(const Document& document) {
+        ASSERT_NO_FATAL_FAILURE(startDisplay({1280, 800}));
+        ASSERT_TRUE(saveDocument(file("model.voxprite"), document, GameProfile{}));
+        ASSERT_NO_FATAL_FAILURE(startEditor({file("model.voxprite").string()}));
+        await("the model", [](const Json& now) { return now.at("state").at("voxels") > 0; });
+    }
+    void name(const std::string& path) {
+        static_cast<void>(centreOf("browser.name"));
+        key("ctrl+a");
+        type(path);
+    }
+    void awaitToast(const std::string& start) {
+        await(start, [&](const Json& now) {
+            return now.at("state").at("toast").get<std::string>().starts_with(start);
+        });
+    }
+    [[nodiscard]] std::string asked() {
+        await("a question", [](const Json& now) { return now.at("state").at("browser") != ""; });
+        return state().at("browser");
+    }
+    [[nodiscard]] Bytes bytesOf(const std::string& name) const {
+        return must(readFile(file(name)));
+    }
+};
+
+TEST_F(FilesInAWindow, AllFilesThatWouldBeReplacedAreNamed) {
+    ASSERT_NO_FATAL_FAILURE(open(documentOf(figure())));
+    std::ofstream(file("hut.png")) << "a picture of mine";
+    const Bytes mine = bytesOf("hut.png");
+    key("ctrl+shift+s");
+    name(file("hut.obj").string());
+    click(centreOf("browser.accept"));
+    EXPECT_EQ(asked(), "hut.png exists. Press again to replace it");
+    EXPECT_EQ(bytesOf("hut.png"), mine);
+    EXPECT_FALSE(std::filesystem::exists(file("hut.obj")));
+    click(centreOf("browser.accept"));
+    awaitToast("Saved hut.obj");
+    EXPECT_NE(bytesOf("hut.png"), mine);
+
+    key("ctrl+shift+s");
+    name(file("hut.obj").string());
+    click(centreOf("browser.accept"));
+    EXPECT_EQ(asked(), "hut.png, hut.mtl and hut.obj exist. Press again to replace them");
+    key("Escape");
+}
+
+TEST_F(FilesInAWindow, EachModelIsExportedAsASpriteOfItsOwn) {
+    const Document document = busyDocument();
+    ASSERT_NO_FATAL_FAILURE(open(document));
+    key("ctrl+e");
+    name(file("set.svo").string());
+    click(centreOf("browser.ways"));
+    click(centreOf("browser.way.1"));
+    click(centreOf("browser.accept"));
+    awaitToast("Exported and verified");
+    const GameProfile profile;
+    const std::vector<SetMember> members = modelsOneByOne(document, profile, "model");
+    ASSERT_GT(members.size(), 1u);
+    EXPECT_EQ(bytesOf("set.svo"), must(exportSvoSet(members)));
+}
+
+}  // namespace
+}  // namespace voxprite::test
