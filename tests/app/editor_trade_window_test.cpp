@@ -1,5 +1,8 @@
 // Speed against accuracy by mouse and keyboard: the error map, the curve, A and B.
+#include "core/base/file.h"
 #include "tests/app/editor_window.h"
+#include "tests/app/pasted.h"
+#include "tests/support/must.h"
 
 namespace voxprite::test {
 namespace {
@@ -11,6 +14,22 @@ class TradeWindow : public EditorWindow {
     [[nodiscard]] Json trade() const { return state().at("trade"); }
     void awaitTrade(const std::string& what, const std::function<bool(const Json&)>& holds) {
         await(what, [&](const Json& now) { return holds(now.at("state").at("trade")); });
+    }
+    void awaitToast(const std::string& start) {
+        await(start, [&](const Json& now) {
+            return now.at("state").at("toast").get<std::string>().starts_with(start);
+        });
+    }
+    // The PNG that F12 writes under this name, and that the clipboard then has, too.
+    Bytes savedAndCopied(const std::string& name) {
+        overTheViews();
+        key("F12");
+        awaitToast("Saved " + name);
+        const Bytes saved = must(readFile(file(name)));
+        key("ctrl+shift+c");
+        awaitToast("Copied the sprite");
+        EXPECT_EQ(pasted(display(), "image/png"), saved);
+        return saved;
     }
     // The keys are the views' again, and no tool shows what it would do.
     void overTheViews() { settleAt({760, 787}); }
@@ -77,6 +96,33 @@ TEST_F(TradeWindow, SettingsAreLookedAtHeldAgainstEachOtherAndTaken) {
         return now.at("state").at("toast").get<std::string>().starts_with("Cheapest within");
     });
     EXPECT_EQ(state().at("steps"), 1);
+}
+
+// F12 and Ctrl+Shift+C take the side that shows.
+TEST_F(TradeWindow, ThePictureIsThatOfTheSideThatShows) {
+    ASSERT_NO_FATAL_FAILURE(openFigure());
+    const Bytes alone = savedAndCopied("figure.png");
+    overTheViews();
+    key("d");  // shows the curve, as there is no B
+    awaitTrade("the curve",
+               [](const Json& now) { return now.at("points") > 8 && now.at("busy") == false; });
+    click(centreOf("trade.point." + std::to_string(trade().at("points").get<int>() - 1)));
+    awaitTrade("B in view",
+               [](const Json& now) { return now.at("b") != "" && now.at("side") == 1; });
+    const Bytes b = savedAndCopied("figure-2.png");
+    EXPECT_NE(b, alone);
+    overTheViews();
+    key("d");
+    awaitTrade("A", [](const Json& now) { return now.at("side") == 0; });
+    EXPECT_EQ(savedAndCopied("figure-3.png"), alone);
+    overTheViews();
+    key("shift+d");
+    awaitTrade("both", [](const Json& now) { return now.at("side") == 2; });
+    EXPECT_EQ(savedAndCopied("figure-4.png"), alone) << "of both that of the settings in force";
+
+    click(centreOf("trade.apply_b"));
+    await("B in force", [](const Json& now) { return now.at("state").at("steps") == 1; });
+    EXPECT_EQ(savedAndCopied("figure-5.png"), b) << "what was seen as B is what it looks like";
 }
 
 }  // namespace
