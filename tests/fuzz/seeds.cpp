@@ -87,7 +87,10 @@ void addDocument(Seeds& seeds, const std::string& name, const Document& document
     const std::vector<VoxelEntry> entries(document.models.size(), VoxelEntry{"models", 0, 0});
     seeds.add("project_json", name, writeProjectJson(document, document.authored, entries));
     const Result<SvoFile> octrees = bakeForExport(document, GameProfile{});
-    if (octrees) seeds.add("svo", name, writeSvo(*octrees));
+    if (octrees) {
+        seeds.add("svo", name, writeSvo(*octrees));
+        seeds.add("svo", name + "-set", writeSvoSet(std::vector{*octrees, *octrees}));
+    }
     for (std::size_t k = 0; k < document.models.size(); ++k) {
         seeds.add("voxel_payload", name + std::to_string(k),
                   writeVoxelPayload(document.models[k].voxels));
