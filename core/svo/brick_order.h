@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <utility>
@@ -144,7 +145,7 @@ inline void copyRows(const std::uint8_t* first, const std::uint8_t* next, int sh
                      std::uint64_t* rows) {
     using namespace brick_order;
     if (shift == 0) {
-        for (int row = 0; row < count; ++row) rows[row] = load<std::uint64_t>(first + 8 * row);
+        std::memcpy(rows, first, 8 * static_cast<std::size_t>(count));
         return;
     }
     const int bits = 8 * shift;
