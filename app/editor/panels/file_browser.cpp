@@ -227,7 +227,11 @@ void FileBrowser::findLosses() {
 }
 
 int FileBrowser::noteLines() const {
-    if (!problem_.empty()) return 1;
+    if (!problem_.empty()) {
+        const float wrap = ImGui::GetContentRegionAvail().x;
+        const float height = ImGui::CalcTextSize(problem_.c_str(), nullptr, false, wrap).y;
+        return static_cast<int>(std::round(height / ImGui::GetTextLineHeight()));
+    }
     return std::clamp(static_cast<int>(losses_.size()), 1, kMostNotes);
 }
 
@@ -237,7 +241,9 @@ void FileBrowser::drawNote(Ui& ui) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0f, 0.0f});
     if (!problem_.empty() || losses_.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.danger);
+        ImGui::PushTextWrapPos(0.0f);
         ImGui::TextUnformatted(problem_.c_str());
+        ImGui::PopTextWrapPos();
         ImGui::PopStyleColor();
     } else {
         ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.textDim);
@@ -291,7 +297,10 @@ void FileBrowser::drawWays(Ui& ui, float width) {
     ImGui::SetNextItemWidth(width);
     if (ImGui::BeginCombo("##way", request_.ways[way_].c_str())) {
         for (std::size_t way = 0; way < request_.ways.size(); ++way) {
-            if (ImGui::Selectable(request_.ways[way].c_str(), way == way_)) way_ = way;
+            if (ImGui::Selectable(request_.ways[way].c_str(), way == way_)) {
+                way_ = way;
+                lossesFor_.reset();
+            }
             ui.probe.markItem("browser.way." + std::to_string(way));
         }
         ImGui::EndCombo();

@@ -57,14 +57,20 @@ void FileFlow::exportOctree() {
     const Document& document = context_.session.document();
     const int models = static_cast<int>(document.models.size()) - unusedModels(document);
     std::vector<std::string> ways;
-    if (models > 1) ways = {"As one sprite", "Each model as one"};
+    if (models > 1) ways = {"All as one sprite", "Each model by itself"};
     browse({.title = "Export the octree for the game's runtime",
             .button = "Export",
             .saving = true,
             .extensions = {".svo"},
             .name = stemOf(context_.session) + ".svo",
             .ways = std::move(ways),
-            .losses = [this](const std::filesystem::path& path) { return lossesAt(path); }},
+            .losses =
+                [this](const std::filesystem::path& path) {
+                    if (browser_.way() == 0) return lossesAt(path);
+                    return std::vector<std::string>{
+                        ".svo holds each model by itself: placements, frames and sockets are left "
+                        "out"};
+                }},
            [this](CommandContext&, const std::filesystem::path& path) {
                if (browser_.way() == 1) return exportModelsTo(path);
                exportTo(path);
