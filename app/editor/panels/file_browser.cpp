@@ -313,7 +313,7 @@ void FileBrowser::drawFooter(Ui& ui, bool& accepted) {
     const ImVec2 button(theme.px(96), theme.px(30));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, theme.px(10, 7));
     const bool choosesWay = request_.ways.size() > 1;
-    const float formats = choosesFormat() || choosesWay ? theme.px(188) : 0.0f;
+    const float formats = choosesFormat() || choosesWay ? theme.px(208) : 0.0f;
     const float beside =
         2 * (button.x + theme.px(8)) + (formats > 0.0f ? formats + theme.px(8) : 0.0f);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - beside);
