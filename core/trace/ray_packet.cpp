@@ -141,6 +141,13 @@ using Alive = std::array<std::uint64_t, PacketHits::kEdge + 8>;  // a bit a ray,
 
 void walkGroup(const RayPicture& picture, unsigned group, Alive& alive, RayPacketHits& hits) {
     const glm::bvec3 mirrored((group & 1u) != 0, (group & 2u) != 0, (group & 4u) != 0);
+    for (int a = 0; a < 3; ++a) {
+        // Rays that run away from the box, or along its face, never come in.
+        const int origin = picture.octree.treeFromVoxel[a];
+        if (mirrored[a] ? picture.eye[a] < picture.box.min[a] - origin
+                        : picture.eye[a] >= picture.box.max[a] - origin)
+            return;
+    }
     walkRays(picture, mirrored, alive.data(), hits);
 }
 

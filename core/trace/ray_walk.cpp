@@ -23,6 +23,7 @@ using EightFloats = std::array<float, 8>;
 class EyeRays {
   public:
     static constexpr std::size_t kMostLanes = 8;
+    using Vector = hn::Vec<hn::CappedTag<double, kMostLanes>>;
 
     // A node's centre on the picture, see RayPicture.
     struct Place {
@@ -31,9 +32,9 @@ class EyeRays {
         std::uint32_t corner[3] = {0, 0, 0};
     };
     struct Brick {};
-    // A leaf's lower and upper faces in steps of the rays' lattice.
+    // A leaf's lower faces and its edge in steps of the rays' lattice.
     struct Leaf {
-        double low[3], high[3];
+        double low[3], edge;
         bool aroundEye = false;
     };
 
@@ -41,15 +42,12 @@ class EyeRays {
         : picture_(picture), tree_(tree), hits_(hits) {
         const int depth = tree.octree.maxDepth;
         positionBits_ = kRayEdgeBits - depth;
+        stepsPerVoxel_ = 1 << positionBits_;
         rootEdge_ = std::ldexp(1.0, kRayEdgeBits);
-        for (int a = 0; a < 3; ++a) {
-            boxLow_[a] = picture.box.min[a] - tree.octree.treeFromVoxel[a];
-            boxHigh_[a] = picture.box.max[a] - tree.octree.treeFromVoxel[a];
-        }
+        for (int a = 0; a < 3; ++a) axes_[static_cast<std::size_t>(a)] = axisOf(a);
         for (int a = 0; picture.inside && a < 3; ++a) {
             // quantiseRay's start of every ray: it is the eye.
-            const double steps =
-                (picture.eye[a] + tree.octree.treeFromVoxel[a]) * (1 << positionBits_);
+            const double steps = (picture.eye[a] + tree.octree.treeFromVoxel[a]) * stepsPerVoxel_;
             const auto start =
                 static_cast<double>(static_cast<int>(steps < 0.0 ? steps - 0.5 : steps + 0.5));
             eye_[a] = tree.flip[a] != 0 ? rootEdge_ - start : start;
@@ -152,14 +150,12 @@ class EyeRays {
     [[nodiscard]] static Brick brick(const Place&) { return {}; }
 
     HWY_INLINE bool leaf(const Brick&, const Place& place, unsigned, Leaf& leaf) const {
-        const double step = 1 << positionBits_;
-        const auto edge = static_cast<double>(1 << (positionBits_ + place.level));
+        leaf.edge = static_cast<double>(1 << (positionBits_ + place.level));
         leaf.aroundEye = picture_.inside;
         for (int a = 0; a < 3; ++a) {
-            leaf.low[a] = place.corner[a] * step;
-            leaf.high[a] = leaf.low[a] + edge;
+            leaf.low[a] = place.corner[a] * stepsPerVoxel_;
             if (!picture_.inside) continue;
-            if (leaf.high[a] <= eye_[a]) return false;  // behind the eye
+            if (leaf.low[a] + leaf.edge <= eye_[a]) return false;  // behind the eye
             if (leaf.low[a] > eye_[a]) leaf.aroundEye = false;
         }
         return true;
@@ -181,39 +177,47 @@ class EyeRays {
     HWY_INLINE std::uint64_t meet(const Leaf& leaf, std::size_t at, std::uint64_t asked,
                                   const Entry& entry, std::uint32_t* entries) {
         const hn::CappedTag<double, kMostLanes> d;
-        const hn::Vec<decltype(d)> D[3] = {hn::LoadU(d, hits_.directions[0].data() + at),
-                                           hn::LoadU(d, hits_.directions[1].data() + at),
-                                           hn::LoadU(d, hits_.directions[2].data() + at)};
-        // G - (l[a] D[b] - u[b] D[a]), not negative where u[b] comes after l[a], and so on: all
-        // integers below 2^53.
-        const auto product = [&](double face, int axis) {
-            return hn::Mul(hn::Set(d, face), D[axis]);
+        const auto zero = hn::Zero(d);
+        const auto D0 = hn::LoadU(d, hits_.directions[0].data() + at);
+        const auto D1 = hn::LoadU(d, hits_.directions[1].data() + at);
+        const auto D2 = hn::LoadU(d, hits_.directions[2].data() + at);
+        // How much later, times D[a] D[b], a ray crosses the lower face on b than that on a: all
+        // are integers below 2^53.
+        const auto laterBy = [&](int pair, int a, int b, Vector Da, Vector Db) {
+            const auto G = hn::LoadU(d, hits_.products[static_cast<std::size_t>(pair)].data() + at);
+            return hn::NegMulAdd(hn::Set(d, leaf.low[a]), Db,
+                                 hn::MulAdd(hn::Set(d, leaf.low[b]), Da, G));
         };
-        auto missed = hn::Lt(hn::Zero(d), hn::Zero(d));
-        hn::Mask<decltype(d)> firstLater[3];
-        for (int p = 0; p < 3; ++p) {
-            const int a = kPairFirst[p];
-            const int b = kPairSecond[p];
-            const auto G = hn::LoadU(d, hits_.products[static_cast<std::size_t>(p)].data() + at);
-            const auto lowA = product(leaf.low[a], b);
-            const auto highA = product(leaf.high[a], b);
-            const auto lowB = hn::Add(G, product(leaf.low[b], a));
-            const auto highB = hn::Add(G, product(leaf.high[b], a));
-            missed = hn::Or(missed, hn::Or(hn::Lt(highB, lowA), hn::Ge(lowB, highA)));
-            firstLater[p] = hn::Lt(lowB, lowA);
-        }
-        std::uint64_t hit = bitsOf(d, hn::Not(missed)) & asked;
+        const auto later01 = laterBy(0, 0, 1, D0, D1);
+        const auto later02 = laterBy(1, 0, 2, D0, D2);
+        const auto later12 = laterBy(2, 1, 2, D1, D2);
+        // Between two faces of one axis lies the time that an edge takes: either lower face has to
+        // be crossed before the other's upper one.
+        const auto edge = hn::Set(d, leaf.edge);
+        const auto across0 = hn::Mul(edge, D0);
+        const auto across1 = hn::Mul(edge, D1);
+        const auto across2 = hn::Mul(edge, D2);
+        const auto missedOf = [&](Vector later, Vector acrossA, Vector acrossB) {
+            return hn::Or(hn::Lt(hn::Add(later, acrossA), zero), hn::Ge(later, acrossB));
+        };
+        const auto missed = hn::Or(
+            missedOf(later01, across0, across1),
+            hn::Or(missedOf(later02, across0, across2), missedOf(later12, across1, across2)));
+        const std::uint64_t hit = bitsOf(d, hn::Not(missed)) & asked;
         if (hit == 0) return 0;
-        const std::uint64_t later01 = bitsOf(d, firstLater[0]);
-        const std::uint64_t notTwo = bitsOf(d, hn::Or(firstLater[1], firstLater[2]));
-        const std::uint32_t base = entry();
-        for (std::uint64_t left = hit; left != 0; left &= left - 1) {
-            const int k = std::countr_zero(left);
-            std::uint32_t axis = (later01 >> k & 1) != 0 ? 0 : 1;
-            if ((notTwo >> k & 1) == 0) axis = 2;
-            if (leaf.aroundEye) axis = kInsideAxis;
-            entries[k] = base | axis;
-        }
+        // The axis whose lower face is crossed last.
+        const auto zeroOrOne = hn::IfThenElseZero(hn::Ge(later01, zero), hn::Set(d, 1.0));
+        const auto notTwo = hn::Or(hn::Lt(later02, zero), hn::Lt(later12, zero));
+        auto axis = hn::IfThenElse(notTwo, zeroOrOne, hn::Set(d, 2.0));
+        if (leaf.aroundEye) axis = hn::Set(d, double{kInsideAxis});
+        const hn::Rebind<std::int32_t, decltype(d)> dEntry;
+        const auto value =
+            hn::Or(hn::DemoteTo(dEntry, axis), hn::Set(dEntry, static_cast<std::int32_t>(entry())));
+        std::uint8_t bytes[8];
+        std::memcpy(bytes, &hit, sizeof hit);
+        auto* const place = reinterpret_cast<std::int32_t*>(entries);
+        const auto old = hn::LoadU(dEntry, place);
+        hn::StoreU(hn::IfThenElse(hn::LoadMaskBits(dEntry, bytes), value, old), dEntry, place);
         return hit;
     }
 
@@ -223,7 +227,16 @@ class EyeRays {
         float radius[3];
     };
 
-    using Vector = hn::Vec<hn::CappedTag<double, kMostLanes>>;
+    // What the rays have in common on one axis, in voxels.
+    struct Axis {
+        double first = 0.0, perColumn = 0.0, perRow = 0.0;  // of EyePicture
+        double eye = 0.0;
+        double distance = 0.0;           // to the face of the box that they come in by
+        bool outside = false;            // there is one
+        double least = 0.0, most = 0.0;  // where they start, if they meet the box
+        double treeFromVoxel = 0.0;
+        bool mirrored = false;
+    };
 
     // quantiseRay, operation by operation, for as many rays at once as a vector has lanes.
     HWY_NOINLINE std::uint64_t quantise(int row, std::uint64_t lacking) {
@@ -235,9 +248,9 @@ class EyeRays {
             const std::size_t first =
                 static_cast<std::size_t>(std::countr_zero(left)) / count * count;
             const std::uint64_t chunk = lanes() << first;
-            Vector direction[3];
-            directionsAt(first, row, direction);
-            const std::uint64_t alone = quantiseChunk(direction, PacketHits::index(0, row) + first);
+            const std::size_t at = PacketHits::index(0, row) + first;
+            const std::uint64_t alone = picture_.rays.empty() ? quantisePixels(first, row, at)
+                                                              : quantiseGiven(first, row, at);
             done |= alone << first & left & chunk;
             left &= ~chunk;
         }
@@ -245,73 +258,102 @@ class EyeRays {
         return done;
     }
 
-    // Of a vector's rays; past the last column any.
-    HWY_INLINE void directionsAt(std::size_t first, int row, Vector (&direction)[3]) const {
+    // Both: of a vector's rays; past the last column any.
+    HWY_INLINE std::uint64_t quantisePixels(std::size_t first, int row, std::size_t at) {
         const hn::CappedTag<double, kMostLanes> d;
-        if (picture_.rays.empty()) {
-            // EyePicture::ray, operation by operation.
-            const EyePicture& picture = picture_.eyePicture;
-            const auto i = hn::Add(hn::Iota(d, 0.0),
-                                   hn::Set(d, picture_.corner.x + static_cast<double>(first)));
-            const double j = picture_.corner.y + row;
-            for (int a = 0; a < 3; ++a) {
-                const auto across = hn::Mul(hn::Set(d, picture.perColumn[a]), i);
-                direction[a] = hn::Add(hn::Add(hn::Set(d, picture.first[a]), across),
-                                       hn::Set(d, picture.perRow[a] * j));
-            }
-            return;
-        }
+        // EyePicture::ray, operation by operation.
+        const auto i =
+            hn::Add(hn::Iota(d, 0.0), hn::Set(d, picture_.corner.x + static_cast<double>(first)));
+        const double j = picture_.corner.y + row;
+        const auto along = [&](const Axis& axis) {
+            const auto across = hn::Mul(hn::Set(d, axis.perColumn), i);
+            return hn::Add(hn::Add(hn::Set(d, axis.first), across), hn::Set(d, axis.perRow * j));
+        };
+        return quantiseChunk(along(axes_[0]), along(axes_[1]), along(axes_[2]), at);
+    }
+
+    HWY_INLINE std::uint64_t quantiseGiven(std::size_t first, int row, std::size_t at) {
+        const hn::CappedTag<double, kMostLanes> d;
         alignas(64) double own[3][kMostLanes];
         for (std::size_t k = 0; k < hn::Lanes(d); ++k) {
             const int column = std::min(static_cast<int>(first + k), picture_.size.x - 1);
             const glm::dvec3 along = picture_.rayAt(column, row).direction;
-            for (int a = 0; a < 3; ++a) own[a][k] = along[a];
+            own[0][k] = along.x;
+            own[1][k] = along.y;
+            own[2][k] = along.z;
         }
-        for (int a = 0; a < 3; ++a) direction[a] = hn::Load(d, own[a]);
+        return quantiseChunk(hn::Load(d, own[0]), hn::Load(d, own[1]), hn::Load(d, own[2]), at);
     }
 
     // The numbers of a vector's rays, to `at`; a bit for each that misses the box or stays where it
-    // is on an axis: those have none.
-    HWY_INLINE std::uint64_t quantiseChunk(const Vector (&along)[3], std::size_t at) {
+    // is on an axis: those have none. Axes are written out: compilers keep loops over them, and the
+    // vectors in memory.
+    HWY_INLINE std::uint64_t quantiseChunk(Vector along0, Vector along1, Vector along2,
+                                           std::size_t at) {
         const hn::CappedTag<double, kMostLanes> d;
-        const auto zero = hn::Zero(d);
-        const auto largest =
-            hn::Max(hn::Max(hn::Abs(along[0]), hn::Abs(along[1])), hn::Abs(along[2]));
-        const Vector scaled[3] = {hn::Div(along[0], largest), hn::Div(along[1], largest),
-                                  hn::Div(along[2], largest)};
-        auto alone = hn::Lt(zero, zero);
-        auto enter = zero;
-        for (int a = 0; a < 3; ++a) {
-            const bool below = picture_.eye[a] < boxLow_[a];
-            if (!below && picture_.eye[a] < boxHigh_[a]) continue;
-            alone = hn::Or(alone, below ? hn::Le(scaled[a], zero) : hn::Ge(scaled[a], zero));
-            const double distance = (below ? boxLow_[a] : boxHigh_[a]) - picture_.eye[a];
-            const auto when = hn::Div(hn::Set(d, distance), scaled[a]);
+        const auto largest = hn::Max(hn::Max(hn::Abs(along0), hn::Abs(along1)), hn::Abs(along2));
+        const auto scaled0 = hn::Div(along0, largest);
+        const auto scaled1 = hn::Div(along1, largest);
+        const auto scaled2 = hn::Div(along2, largest);
+        auto enter = hn::Zero(d);
+        const auto comeIn = [&](const Axis& axis, Vector scaled) HWY_ATTR {
+            if (!axis.outside) return;
+            const auto when = hn::Div(hn::Set(d, axis.distance), scaled);
             enter = hn::IfThenElse(hn::Gt(when, enter), when, enter);
-        }
-        const auto rounded = [&](Vector x) {
-            return hn::Trunc(hn::Add(x, hn::CopySign(hn::Set(d, 0.5), x)));
         };
-        Vector O[3] = {zero, zero, zero}, D[3] = {zero, zero, zero};
-        for (int a = 0; a < 3; ++a) {
-            const auto start = hn::Add(hn::Set(d, picture_.eye[a]), hn::Mul(scaled[a], enter));
-            const auto within = hn::And(hn::Ge(start, hn::Set(d, boxLow_[a] - 1.0)),
-                                        hn::Le(start, hn::Set(d, boxHigh_[a] + 1.0)));
+        comeIn(axes_[0], scaled0);
+        comeIn(axes_[1], scaled1);
+        comeIn(axes_[2], scaled2);
+        auto alone = hn::Lt(enter, hn::Zero(d));
+        const auto origin = [&](const Axis& axis, Vector scaled) HWY_ATTR {
+            const auto start = hn::Add(hn::Set(d, axis.eye), hn::Mul(scaled, enter));
+            const auto within = hn::And(hn::Ge(start, hn::Set(d, axis.least)),
+                                        hn::Le(start, hn::Set(d, axis.most)));
             alone = hn::Or(alone, hn::Not(within));
-            const auto inTree =
-                hn::Add(start, hn::Set(d, static_cast<double>(picture_.octree.treeFromVoxel[a])));
-            const auto origin = rounded(hn::Mul(inTree, hn::Set(d, 1 << positionBits_)));
-            O[a] = tree_.flip[a] != 0 ? hn::Sub(hn::Set(d, rootEdge_), origin) : origin;
-            D[a] = hn::Abs(rounded(hn::Mul(scaled[a], hn::Set(d, 1 << kRayDirectionBits))));
-            alone = hn::Or(alone, hn::Eq(D[a], zero));
-            hn::StoreU(D[a], d, hits_.directions[static_cast<std::size_t>(a)].data() + at);
-        }
-        for (int p = 0; p < 3; ++p) {
-            const auto G = hn::Sub(hn::Mul(O[kPairFirst[p]], D[kPairSecond[p]]),
-                                   hn::Mul(O[kPairSecond[p]], D[kPairFirst[p]]));
-            hn::StoreU(G, d, hits_.products[static_cast<std::size_t>(p)].data() + at);
-        }
+            const auto steps =
+                hn::Mul(hn::Add(start, hn::Set(d, axis.treeFromVoxel)), hn::Set(d, stepsPerVoxel_));
+            const auto O = hn::Trunc(hn::Add(steps, hn::CopySign(hn::Set(d, 0.5), steps)));
+            return axis.mirrored ? hn::Sub(hn::Set(d, rootEdge_), O) : O;
+        };
+        const auto O0 = origin(axes_[0], scaled0);
+        const auto O1 = origin(axes_[1], scaled1);
+        const auto O2 = origin(axes_[2], scaled2);
+        const auto direction = [&](std::size_t a, Vector scaled) HWY_ATTR {
+            const auto steps = hn::Mul(hn::Abs(scaled), hn::Set(d, 1 << kRayDirectionBits));
+            const auto D = hn::Floor(hn::Add(steps, hn::Set(d, 0.5)));
+            alone = hn::Or(alone, hn::Eq(D, hn::Zero(d)));
+            hn::StoreU(D, d, hits_.directions[a].data() + at);
+            return D;
+        };
+        const auto D0 = direction(0, scaled0);
+        const auto D1 = direction(1, scaled1);
+        const auto D2 = direction(2, scaled2);
+        const auto product = [&](std::size_t pair, Vector Oa, Vector Ob, Vector Da,
+                                 Vector Db) HWY_ATTR {
+            hn::StoreU(hn::MulSub(Oa, Db, hn::Mul(Ob, Da)), d, hits_.products[pair].data() + at);
+        };
+        product(0, O0, O1, D0, D1);
+        product(1, O0, O2, D0, D2);
+        product(2, O1, O2, D1, D2);
         return bitsOf(d, alone);
+    }
+
+    [[nodiscard]] Axis axisOf(int a) const {
+        Axis axis;
+        axis.first = picture_.eyePicture.first[a];
+        axis.perColumn = picture_.eyePicture.perColumn[a];
+        axis.perRow = picture_.eyePicture.perRow[a];
+        axis.eye = picture_.eye[a];
+        axis.treeFromVoxel = tree_.octree.treeFromVoxel[a];
+        const double low = picture_.box.min[a] - axis.treeFromVoxel;
+        const double high = picture_.box.max[a] - axis.treeFromVoxel;
+        const bool below = axis.eye < low;
+        axis.outside = below || axis.eye >= high;
+        axis.distance = (below ? low : high) - axis.eye;
+        axis.least = low - 1.0;
+        axis.most = high + 1.0;
+        axis.mirrored = tree_.flip[a] != 0;
+        return axis;
     }
 
     // Rays that have no numbers: those that meet the box all the same.
@@ -328,9 +370,10 @@ class EyeRays {
     const PacketTree& tree_;
     RayPacketHits& hits_;
     int positionBits_ = 0;
-    double rootEdge_ = 0.0;              // in steps
-    double eye_[3]{};                    // mirrored, in steps; where it is in the box
-    double boxLow_[3]{}, boxHigh_[3]{};  // in voxels
+    double stepsPerVoxel_ = 0.0;
+    double rootEdge_ = 0.0;  // in steps
+    double eye_[3]{};        // mirrored, in steps; where it is in the box
+    std::array<Axis, 3> axes_;
     std::array<Level, kMaxOctreeDepth> levels_;
 };
 
