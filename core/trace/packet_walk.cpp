@@ -159,52 +159,77 @@ class ParallelRays {
         return hits_.starts[static_cast<std::size_t>(p)].data();
     }
 
+    // Where the rays of a row start on one axis, modulo 2^32: the first, and a step, each split at
+    // kStepShift so that nothing that matters is lost. Mirrored: O ^ flip - flipEnd.
+    struct RowOfStarts {
+        std::int32_t high, low, stepHigh, stepLow;
+        std::int32_t flip, flipEnd;
+        std::int32_t lowestBit;  // set where the rays stay where they are
+    };
+
+    [[nodiscard]] static std::int32_t wrapped(std::int32_t a, std::int32_t b) {
+        return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) *
+                                         static_cast<std::uint32_t>(b));
+    }
+
+    [[nodiscard]] RowOfStarts rowOf(int a, int row) const {
+        constexpr std::int64_t kLow = (std::int64_t{1} << kStepShift) - 1;
+        const std::int64_t start =
+            std::int64_t{first_.x} * tables_.U[a] + std::int64_t{first_.y + row} * tables_.V[a];
+        RowOfStarts starts;
+        starts.high = static_cast<std::int32_t>((start >> kStepShift) + tables_.C[a]);
+        starts.low = static_cast<std::int32_t>(start & kLow);
+        starts.stepHigh = tables_.U[a] >> kStepShift;
+        starts.stepLow = static_cast<std::int32_t>(tables_.U[a] & kLow);
+        const bool mirrored = tables_.tree.flip[a] != 0;
+        const std::uint32_t edge = std::uint32_t{1} << tables_.positionBits
+                                                    << tables_.tree.octree.maxDepth;
+        starts.flip = mirrored ? -1 : 0;
+        starts.flipEnd = mirrored ? static_cast<std::int32_t>(~edge) : 0;
+        starts.lowestBit = tables_.D[a] == 0 ? 1 : 0;
+        return starts;
+    }
+
     // G of every ray, by pair.
     void findStarts() {
         startsKnown_ = true;
         const hn::CappedTag<std::int32_t, 16> d;
         const auto lanes = static_cast<int>(hn::Lanes(d));
-        // What a ray starts from, its first pixel and a step, each split at kStepShift so that
-        // nothing that matters is lost modulo 2^32.
-        std::int32_t high[3], low[3], stepHigh[3], stepLow[3], rowHigh[3], rowLow[3];
-        constexpr std::int64_t kLow = (std::int64_t{1} << kStepShift) - 1;
-        for (int a = 0; a < 3; ++a) {
-            const std::int64_t start =
-                std::int64_t{first_.x} * tables_.U[a] + std::int64_t{first_.y} * tables_.V[a];
-            high[a] = static_cast<std::int32_t>((start >> kStepShift) + tables_.C[a]);
-            low[a] = static_cast<std::int32_t>(start & kLow);
-            stepHigh[a] = tables_.U[a] >> kStepShift;
-            stepLow[a] = static_cast<std::int32_t>(tables_.U[a] & kLow);
-            rowHigh[a] = tables_.V[a] >> kStepShift;
-            rowLow[a] = static_cast<std::int32_t>(tables_.V[a] & kLow);
-        }
-        const std::int32_t edge = static_cast<std::int32_t>(
-            std::uint32_t{1} << tables_.positionBits << tables_.tree.octree.maxDepth);
+        using Vector = hn::Vec<decltype(d)>;
         for (int row = 0; row < size_.y; ++row) {
+            RowOfStarts along[3];
+            for (int a = 0; a < 3; ++a) along[a] = rowOf(a, row);
+            // Of the first columns; what the columns before them add comes as a number.
+            const auto stepLow = [&](const RowOfStarts& axis) {
+                return hn::Add(hn::Mul(hn::Iota(d, 0), hn::Set(d, axis.stepLow)),
+                               hn::Set(d, axis.low));
+            };
+            const auto stepHigh = [&](const RowOfStarts& axis) {
+                return hn::Add(hn::Mul(hn::Iota(d, 0), hn::Set(d, axis.stepHigh)),
+                               hn::Set(d, axis.high));
+            };
+            const Vector low0 = stepLow(along[0]), high0 = stepHigh(along[0]);
+            const Vector low1 = stepLow(along[1]), high1 = stepHigh(along[1]);
+            const Vector low2 = stepLow(along[2]), high2 = stepHigh(along[2]);
+            const auto D0 = hn::Set(d, static_cast<std::int32_t>(tables_.D[0]));
+            const auto D1 = hn::Set(d, static_cast<std::int32_t>(tables_.D[1]));
+            const auto D2 = hn::Set(d, static_cast<std::int32_t>(tables_.D[2]));
             for (int column = 0; column < size_.x; column += lanes) {
-                const auto i = hn::Iota(d, column);
-                hn::Vec<decltype(d)> O[3];
-                for (int a = 0; a < 3; ++a) {
-                    const auto lower = hn::Add(hn::Set(d, low[a] + row * rowLow[a]),
-                                               hn::Mul(i, hn::Set(d, stepLow[a])));
-                    const auto upper =
-                        hn::Add(hn::Set(d, static_cast<std::int32_t>(
-                                               static_cast<std::uint32_t>(high[a]) +
-                                               static_cast<std::uint32_t>(row) *
-                                                   static_cast<std::uint32_t>(rowHigh[a]))),
-                                hn::Mul(i, hn::Set(d, stepHigh[a])));
-                    O[a] = hn::Add(upper, hn::ShiftRight<kStepShift>(lower));
-                    if (tables_.tree.flip[a] != 0) O[a] = hn::Sub(hn::Set(d, edge), O[a]);
-                    if (tables_.D[a] == 0) O[a] = hn::Or(O[a], hn::Set(d, 1));
-                }
-                for (int p = 0; p < 3; ++p) {
-                    const int a = kPairFirst[p];
-                    const int b = kPairSecond[p];
-                    const auto Da = hn::Set(d, static_cast<std::int32_t>(tables_.D[a]));
-                    const auto Db = hn::Set(d, static_cast<std::int32_t>(tables_.D[b]));
-                    hn::StoreU(hn::Sub(hn::Mul(O[a], Db), hn::Mul(O[b], Da)), d,
-                               starts(p) + PacketHits::index(column, row));
-                }
+                const auto start = [&](const RowOfStarts& axis, Vector low, Vector high) {
+                    const auto lower = hn::Add(low, hn::Set(d, column * axis.stepLow));
+                    const auto upper = hn::Add(high, hn::Set(d, wrapped(column, axis.stepHigh)));
+                    const auto O = hn::Add(upper, hn::ShiftRight<kStepShift>(lower));
+                    const auto mirrored =
+                        hn::Sub(hn::Xor(O, hn::Set(d, axis.flip)), hn::Set(d, axis.flipEnd));
+                    return hn::Or(mirrored, hn::Set(d, axis.lowestBit));
+                };
+                const auto O0 = start(along[0], low0, high0);
+                const auto O1 = start(along[1], low1, high1);
+                const auto O2 = start(along[2], low2, high2);
+                const std::size_t at = PacketHits::index(column, row);
+                hn::StoreU(hn::Sub(hn::Mul(O0, D1), hn::Mul(O1, D0)), d, starts(0) + at);
+                hn::StoreU(hn::Sub(hn::Mul(O0, D2), hn::Mul(O2, D0)), d, starts(1) + at);
+                hn::StoreU(hn::Sub(hn::Mul(O1, D2), hn::Mul(O2, D1)), d, starts(2) + at);
             }
         }
     }
