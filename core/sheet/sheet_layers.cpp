@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "core/trace/lattice_caster.h"
+#include "core/trace/packet_caster.h"
 
 namespace voxprite {
 namespace {
@@ -24,20 +24,15 @@ template <class OfHit>
 Image pictureOf(const SpriteBuffer& buffer, const SpriteView& view, const OctreeView& octree,
                 Rgba8 ofOutline, OfHit ofHit) {
     Image image(buffer.size.x, buffer.size.y);
-    const LatticeCaster caster(octree, view.lattice);
-    std::size_t at = 0;
-    for (int row = 0; row < buffer.size.y; ++row) {
-        for (int column = 0; column < buffer.size.x; ++column, ++at) {
-            if (buffer.ids[at] == kIdEmpty) continue;
-            if (buffer.ids[at] == kIdOutline) {
-                image.pixels[at] = ofOutline;
-                continue;
-            }
-            const glm::ivec2 pixel{buffer.first.x + column,
-                                   buffer.first.y + buffer.size.y - 1 - row};
-            image.pixels[at] = ofHit(caster.cast(pixel));
-        }
-    }
+    for (std::size_t at = 0; at < image.pixels.size(); ++at)
+        if (buffer.ids[at] == kIdOutline) image.pixels[at] = ofOutline;
+    castLattice(octree, view.lattice, buffer.first, buffer.size, 1,
+                [&](glm::ivec2 pixel, const LatticeHit& hit) {
+                    const int column = pixel.x - buffer.first.x;
+                    const int row = buffer.first.y + buffer.size.y - 1 - pixel.y;
+                    image.pixels[static_cast<std::size_t>(row * buffer.size.x + column)] =
+                        ofHit(hit);
+                });
     return image;
 }
 

@@ -5,8 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "core/base/parallel.h"
-#include "core/trace/lattice_caster.h"
+#include "core/trace/packet_caster.h"
 
 namespace voxprite {
 
@@ -71,23 +70,17 @@ std::vector<float> pixelDepths(const SpriteView& view, const OctreeView& octree,
     constexpr float none = std::numeric_limits<float>::infinity();
     const auto width = static_cast<std::size_t>(buffer.size.x);
     std::vector<float> depths(buffer.ids.size(), none);
-    const LatticeCaster caster(octree, view.lattice);
-    parallelFor(buffer.size.y, threads, [&](int firstRow, int lastRow) {
-        for (int row = firstRow; row < lastRow; ++row)
-            for (int column = 0; column < buffer.size.x; ++column) {
-                const auto at =
-                    static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
-                if (buffer.ids[at] < kIdFirstVoxel) continue;
-                const glm::ivec2 pixel{buffer.first.x + column,
-                                       buffer.first.y + buffer.size.y - 1 - row};
-                const glm::ivec3 voxel = caster.cast(pixel).voxel;
-                const glm::dvec3 fromCentre =
-                    entryPoint(rayOf(view.lattice, pixel), voxel) - view.centreVoxels;
-                const double depth =
-                    view.planeDepthMetres + glm::dot(view.depthPerVoxelMetres, fromCentre);
-                depths[at] = static_cast<float>(std::max(depth, view.depthMetres));
-            }
-    });
+    castLattice(
+        octree, view.lattice, buffer.first, buffer.size, threads,
+        [&](glm::ivec2 pixel, const LatticeHit& hit) {
+            const auto column = static_cast<std::size_t>(pixel.x - buffer.first.x);
+            const auto row = static_cast<std::size_t>(buffer.first.y + buffer.size.y - 1 - pixel.y);
+            const glm::dvec3 fromCentre =
+                entryPoint(rayOf(view.lattice, pixel), hit.voxel) - view.centreVoxels;
+            const double depth =
+                view.planeDepthMetres + glm::dot(view.depthPerVoxelMetres, fromCentre);
+            depths[row * width + column] = static_cast<float>(std::max(depth, view.depthMetres));
+        });
     const auto opaque = [&](int column, int row) {
         if (column < 0 || row < 0 || column >= buffer.size.x || row >= buffer.size.y) return none;
         const auto at = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);

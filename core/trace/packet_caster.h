@@ -39,6 +39,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <vector>
@@ -114,5 +115,12 @@ class PacketCaster {
     LatticeCaster scalar_;
     std::unique_ptr<const PacketTables> tables_;
 };
+
+// A whole picture by packets: for every pixel of [first, first + size) whose ray hits, what
+// LatticeCaster::cast gives for it. `onHit` is called on several threads, once a pixel.
+// threads <= 0: all cores.
+using OnLatticeHit = std::function<void(glm::ivec2 pixel, const LatticeHit& hit)>;
+void castLattice(const OctreeView& octree, const LatticeView& lattice, glm::ivec2 first,
+                 glm::ivec2 size, int threads, const OnLatticeHit& onHit);
 
 }  // namespace voxprite

@@ -289,7 +289,8 @@ class CastBench {
         for (const auto& [who, ms] : shortest) figures_[{kind, who.first, who.second}].ms += ms;
     }
 
-    // What the outline adds to a sprite, on one thread.
+    // What the outline adds to a sprite whose opaque pixels are known as bits, as they are when it
+    // was cast by packets; on one thread.
     void measureOutline(const View& view) {
         LitPalette bare;
         bare.outline.enabled = false;
@@ -300,6 +301,7 @@ class CastBench {
             SpriteBuffer sprite = castSprite(octree_, view.lattice, bare, 1);
             spriteMs = std::min(spriteMs, own.lapMilliseconds());
             const PixelBits opaque = opaquePixels(sprite);
+            own.lapMilliseconds();
             drawOutline(opaque, Rgba8(255), sprite);
             outlineMs = std::min(outlineMs, own.lapMilliseconds());
         }
