@@ -37,7 +37,8 @@ enum class BufferBinding : std::uint32_t {
     clusterCommands = 5,
     snapshots = 6,
     rays = 7,
-    rayHits = 8
+    rayHits = 8,
+    castTiles = 9
 };
 
 // binding = N of each texture

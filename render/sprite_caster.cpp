@@ -20,6 +20,18 @@ constexpr int kTileEdge = 2048;
 // The scratch buffer keeps growing with what it is asked for up to this many pixels.
 constexpr std::int64_t kRoomyPixels = std::int64_t{1} << 22;
 
+// Groups of sprite_cast.comp: their pixels, and how many lie in a row of the dispatch.
+constexpr glm::ivec2 kTilePx{16, 4};
+constexpr std::size_t kGroupsAcross = 32'768;
+
+// CastTile
+struct CastTile {
+    glm::ivec2 corner{0};
+    std::int32_t sprite = 0;
+    std::int32_t unused = 0;
+};
+static_assert(sizeof(CastTile) == 16);
+
 std::int64_t area(glm::ivec2 size) {
     return std::int64_t{size.x} * size.y;
 }
@@ -41,6 +53,10 @@ SpriteVariants castVariants(const CastJob& job, const SpriteDrawBlock& block) {
 void beginTarget(std::uint32_t framebuffer, glm::ivec2 size) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, size.x, size.y);
+}
+
+void bindImage(std::uint32_t unit, const gl::Texture& texture) {
+    glBindImageTexture(unit, texture.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32UI);
 }
 
 // Copies a rectangle of the textures to where its pixels belong in `buffer`, turned over.
@@ -123,19 +139,15 @@ Status SpriteCaster::castInto(const std::vector<CastJob>& jobs, Run run, SpriteD
     }
     needScratch(extent, withIds);
     block.target_size = glm::vec2(extent);
-    beginTarget(scratch_.framebuffer.id(), extent);
     for (Run part{run.first, run.first}; part.first < run.end; part.first = part.end) {
         const CastJob& first = jobs[part.first];
         while (part.end < run.end && jobs[part.end].octreeTexture == first.octreeTexture &&
                jobs[part.end].narrow == first.narrow) {
             ++part.end;
         }
-        if (const Status ready = cast_.use(castVariants(first, block)); !ready) return ready;
-        bindTexture(TextureUnit::svo, first.octreeTexture);
-        block.first_sprite = static_cast<std::int32_t>(part.first);
-        block.sprite_count = static_cast<std::int32_t>(part.end - part.first);
-        shapes_.draw(block);
+        if (const Status done = castRays(jobs, part, block, withIds); !done) return done;
     }
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     if (const Status ready = outline_.use(withIds ? kSpriteIds : kPlain); !ready) return ready;
     beginTarget(jobs[run.first].framebuffer, extent);
     bindTexture(TextureUnit::spriteColours, scratch_.colours.id());
@@ -143,6 +155,32 @@ Status SpriteCaster::castInto(const std::vector<CastJob>& jobs, Run run, SpriteD
     block.first_sprite = static_cast<std::int32_t>(run.first);
     block.sprite_count = static_cast<std::int32_t>(run.end - run.first);
     shapes_.draw(block);
+    return {};
+}
+
+Status SpriteCaster::castRays(const std::vector<CastJob>& jobs, Run part, SpriteDrawBlock block,
+                              bool withIds) {
+    const CastJob& first = jobs[part.first];
+    const SpriteVariants ids = withIds ? kSpriteIds : kPlain;
+    if (const Status ready = cast_.use(castVariants(first, block) | ids); !ready) return ready;
+    bindTexture(TextureUnit::svo, first.octreeTexture);
+    shapes_.set(block);
+    std::vector<CastTile> tiles;
+    for (std::size_t k = part.first; k < part.end; ++k) {
+        const glm::ivec2 size = jobs[k].block.region_size;
+        for (int y = 0; y < size.y; y += kTilePx.y)
+            for (int x = 0; x < size.x; x += kTilePx.x)
+                tiles.push_back({glm::ivec2(x, y), static_cast<std::int32_t>(k)});
+    }
+    if (tiles.empty()) return {};
+    tiles_.set(BufferBinding::castTiles, std::span<const CastTile>(tiles));
+    bindImage(0, scratch_.colours);
+    if (withIds) bindImage(1, scratch_.ids);
+    const std::size_t across = std::min(tiles.size(), kGroupsAcross);
+    // Outlines drawn before may still read what is cast over now.
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    glDispatchCompute(static_cast<GLuint>(across),
+                      static_cast<GLuint>((tiles.size() + across - 1) / across), 1);
     return {};
 }
 

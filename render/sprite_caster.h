@@ -59,13 +59,16 @@ class SpriteCaster {
                                   bool withIds);
     [[nodiscard]] Status castSinglePass(const CastJob& job, std::uint32_t litRows,
                                         const SpriteLook& look, SpriteTextures& target);
+    // The rays of jobs of one octree and one kind of lattice, into the scratch buffer.
+    [[nodiscard]] Status castRays(const std::vector<CastJob>& jobs, Run part, SpriteDrawBlock block,
+                                  bool withIds);
     void needScratch(glm::ivec2 size, bool withIds);
 
-    SpriteProgram cast_{"sprite_region.vert", "sprite_cast.frag"};
+    SpriteProgram cast_{"sprite_cast.comp"};
     SpriteProgram outline_{"sprite_region.vert", "sprite_outline.frag"};
     SpriteProgram single_{"sprite_quad.vert", "sprite_single.frag"};
     SpriteShapes shapes_;
-    gl::StorageBuffer sprites_, corners_;
+    gl::StorageBuffer sprites_, corners_, tiles_;
     LitRows bufferLit_;  // of castBuffer
     OcclusionRays occlusionRays_;
     SpriteTextures scratch_;

@@ -11,7 +11,7 @@ namespace voxprite {
 
 namespace {
 
-constexpr int kGroupSize = 32;  // as in shaders/shared/sprite.glsl
+constexpr int kGroupSize = 32;  // as in shaders/shared/sprite_outputs.glsl
 
 constexpr std::array<std::uint16_t, 6> kQuad{0, 1, 2, 2, 1, 3};
 // Octant order, counter-clockwise seen from outside.
@@ -45,7 +45,9 @@ Status SpriteProgram::use(SpriteVariants variants) {
         if ((variants & kProxyBox) != 0) defines.emplace_back("PROXY_BOX");
         if ((variants & kSpriteIds) != 0) defines.emplace_back("SPRITE_IDS");
         if ((variants & kFaceShade) != 0) defines.emplace_back("FACE_SHADE");
-        Result<gl::Program> compiled = gl::compileProgram(vertex_, fragment_, defines);
+        Result<gl::Program> compiled = compute_.empty()
+                                           ? gl::compileProgram(vertex_, fragment_, defines)
+                                           : gl::compileCompute(compute_, defines);
         if (!compiled) return tl::unexpected(compiled.error());
         program = std::move(*compiled);
     }
@@ -61,8 +63,12 @@ SpriteShapes::SpriteShapes()
     }
 }
 
-void SpriteShapes::draw(const SpriteDrawBlock& block, bool boxes) {
+void SpriteShapes::set(const SpriteDrawBlock& block) {
     drawBlock_.set(BlockBinding::spriteDraw, block);
+}
+
+void SpriteShapes::draw(const SpriteDrawBlock& block, bool boxes) {
+    set(block);
     glBindVertexArray((boxes ? boxes_ : quads_).vertices.id());
     const auto each = static_cast<int>(boxes ? kBox.size() : kQuad.size());
     glDrawElementsInstanced(GL_TRIANGLES, each * std::min(block.sprite_count, kGroupSize),

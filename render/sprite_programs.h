@@ -20,15 +20,16 @@ inline constexpr SpriteVariants kProxyBox = 4;       // the region is the proxy 
 inline constexpr SpriteVariants kSpriteIds = 8;      // ids of voxels are kept beside the colours
 inline constexpr SpriteVariants kFaceShade = 16;     // faces cast rays: occlusion, shadows
 
-// A program in all variants, each compiled when first used.
+// A program in all variants, each compiled when first used: of two stages, or a compute shader.
 class SpriteProgram {
   public:
+    explicit SpriteProgram(std::string compute) : compute_(std::move(compute)) {}
     SpriteProgram(std::string vertex, std::string fragment)
         : vertex_(std::move(vertex)), fragment_(std::move(fragment)) {}
     [[nodiscard]] Status use(SpriteVariants variants);
 
   private:
-    std::string vertex_, fragment_;
+    std::string vertex_, fragment_, compute_;
     std::array<gl::Program, 32> programs_;
 };
 
@@ -36,6 +37,8 @@ class SpriteProgram {
 class SpriteShapes {
   public:
     SpriteShapes();
+    // For programs that draw no shapes.
+    void set(const SpriteDrawBlock& block);
     // One draw of the program and the buffers that are bound, into the framebuffer that is bound.
     void draw(const SpriteDrawBlock& block, bool boxes = false);
 

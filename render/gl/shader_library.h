@@ -26,7 +26,7 @@ struct ShaderSource {
 [[nodiscard]] Result<ShaderSource> assembleShader(const std::string& name,
                                                   const std::vector<std::string>& defines = {});
 
-// A driver's log with the file numbers replaced by names: "sprite_cast.frag:12: ...".
+// A driver's log with the file numbers replaced by names: "sprite_cast.comp:12: ...".
 [[nodiscard]] std::string namedLog(std::string_view log, const std::vector<std::string>& files);
 
 }  // namespace voxprite::gl

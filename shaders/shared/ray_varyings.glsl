@@ -2,17 +2,17 @@
 
 #include "shared/flat_inputs.glsl"
 
-layout(location = 5, component = 3) Flat int palette_row;
-layout(location = 6) Flat ivec3 lattice_origin;  // C from the centre corner
-layout(location = 6, component = 3) Flat int position_bits;
-layout(location = 7) Flat ivec3 lattice_right;      // U
-layout(location = 8) Flat ivec3 lattice_up;         // V
-layout(location = 9) Flat ivec3 lattice_direction;  // D
-layout(location = 10) Flat uvec3 svo_model_size;
-layout(location = 10, component = 3) Flat uint svo_max_depth;
-layout(location = 11) Flat ivec3 tree_from_voxel;
-layout(location = 13) Flat uint node_offset;
-layout(location = 13, component = 1) Flat uint payload_offset;
+Flat(5, 3) int palette_row;
+Flat(6, 0) ivec3 lattice_origin;  // C from the centre corner
+Flat(6, 3) int position_bits;
+Flat(7, 0) ivec3 lattice_right;      // U
+Flat(8, 0) ivec3 lattice_up;         // V
+Flat(9, 0) ivec3 lattice_direction;  // D
+Flat(10, 0) uvec3 svo_model_size;
+Flat(10, 3) uint svo_max_depth;
+Flat(11, 0) ivec3 tree_from_voxel;
+Flat(13, 0) uint node_offset;
+Flat(13, 1) uint payload_offset;
 #ifdef FACE_SHADE
-layout(location = 14) Flat ivec3 toward_light;
+Flat(14, 0) ivec3 toward_light;
 #endif

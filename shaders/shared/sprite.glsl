@@ -41,14 +41,3 @@ layout(std430, binding = 0) readonly buffer Sprites {
 };
 
 #include "shared/sprite_draw.glsl"
-
-// Sprites are drawn in groups, a group an instance: four vertices make a poor instance.
-const int kGroupSize = 32;
-
-// Which sprite a vertex belongs to, each having so many; -1 beyond the last.
-int spriteOfVertex(int vertices_each) {
-    int number = gl_InstanceID * kGroupSize + gl_VertexID / vertices_each;
-    return number < sprite_count ? first_sprite + number : -1;
-}
-
-const vec4 kNowhere = vec4(2.0, 2.0, 0.0, 1.0);

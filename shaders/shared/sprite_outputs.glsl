@@ -1,9 +1,19 @@
 // The vertex stage of sprites: what it hands on.
 
 #define VERTEX_STAGE
-#include "shared/sprite.glsl"
+#include "shared/sprite_rays.glsl"
 #include "shared/sprite_varyings.glsl"
-#include "shared/ray_varyings.glsl"
+
+// Sprites are drawn in groups, a group an instance: four vertices make a poor instance.
+const int kGroupSize = 32;
+
+// Which sprite a vertex belongs to, each having so many; -1 beyond the last.
+int spriteOfVertex(int vertices_each) {
+    int number = gl_InstanceID * kGroupSize + gl_VertexID / vertices_each;
+    return number < sprite_count ? first_sprite + number : -1;
+}
+
+const vec4 kNowhere = vec4(2.0, 2.0, 0.0, 1.0);
 
 void handOn(Sprite sprite) {
     pixel_from_screen_x = sprite.pixel_from_screen[0].xyz;
@@ -15,18 +25,5 @@ void handOn(Sprite sprite) {
     region_first = ivec2(sprite.first_x, sprite.first_y);
     atlas_place = sprite.atlas_place;
     depth_per_step = sprite.depth_per_step;
-    palette_row = sprite.palette_row;
-    lattice_origin = sprite.lattice_origin;
-    position_bits = sprite.position_bits;
-    lattice_right = sprite.lattice_right;
-    lattice_up = sprite.lattice_up;
-    lattice_direction = sprite.lattice_direction;
-    svo_model_size = sprite.svo_model_size;
-    svo_max_depth = sprite.svo_max_depth;
-    tree_from_voxel = sprite.tree_from_voxel;
-    node_offset = sprite.node_offset;
-    payload_offset = sprite.payload_offset;
-#ifdef FACE_SHADE
-    toward_light = ivec3(sprite.light_dir);
-#endif
+    takeRays(sprite);
 }

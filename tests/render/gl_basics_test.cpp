@@ -48,7 +48,6 @@ TEST_F(GlBasics, AContextMayFollowAnother) {
 
 TEST_F(GlBasics, EveryShaderCompilesInEveryVariant) {
     const std::vector<std::pair<std::string, std::string>> programs{
-        {"sprite_region.vert", "sprite_cast.frag"},
         {"sprite_quad.vert", "sprite_single.frag"},
         {"sprite_quad.vert", "sprite_blit.frag"},
         {"sprite_region.vert", "sprite_outline.frag"},
@@ -80,9 +79,15 @@ TEST_F(GlBasics, EveryShaderCompilesInEveryVariant) {
         used.push_back(vertex);
         used.push_back(fragment);
     }
-    for (const char* compute : {"cluster_cut.comp", "ray_batch.comp"}) {
-        const auto program = gl::compileCompute(compute);
-        EXPECT_TRUE(program) << program.error().message;
+    for (const char* compute : {"cluster_cut.comp", "ray_batch.comp", "sprite_cast.comp"}) {
+        for (const std::vector<std::string>& defines :
+             {std::vector<std::string>{},
+              {"LATTICE_WIDE", "FACE_SHADE"},
+              {"SPRITE_IDS"},
+              {"LATTICE_WIDE", "FACE_SHADE", "SPRITE_IDS"}}) {
+            const auto program = gl::compileCompute(compute, defines);
+            EXPECT_TRUE(program) << program.error().message;
+        }
         used.emplace_back(compute);
     }
     // No stage was left out.

@@ -32,20 +32,37 @@ Image gradient(glm::ivec2 sizePx, const BackdropColours& behind) {
     return image;
 }
 
-// As shaders/scene_backdrop.frag has it, without its grid.
-glm::vec3 skyOrGround(const Camera& camera, const Ground& ground, glm::dvec2 screenPx) {
-    const Camera::Ray ray = camera.rayFromEye(screenPx);
-    const double metres =
-        (ground.heightMetres - camera.eyeMetres.y - ray.origin.y) / ray.direction.y;
-    if (metres >= camera.nearMetres) {
-        const float far = std::max(0.0f, static_cast<float>(metres) / kHazeMetres - 0.2f);
-        return glm::mix(glm::vec3(ground.colour) / 255.0f, glm::vec3(kSkyHorizon),
-                        1.0f - std::exp(-far));
+// As shaders/scene_backdrop.frag has it, without its grid; ray by ray of a row.
+class SkyAndGround {
+  public:
+    SkyAndGround(const Camera& camera, const Ground& ground) : camera_(camera), ground_(ground) {}
+
+    Rgba8 seen(const Camera::Ray& ray) {
+        const double metres =
+            (ground_.heightMetres - camera_.eyeMetres.y - ray.origin.y) / ray.direction.y;
+        if (metres >= camera_.nearMetres) {
+            // Mostly a whole row is equally far.
+            if (metres != groundMetres_) groundColour_ = groundAt(metres);
+            groundMetres_ = metres;
+            return groundColour_;
+        }
+        const auto rise = static_cast<float>(glm::normalize(ray.direction).y);
+        return opaque(glm::mix(glm::vec3(kSkyHorizon), glm::vec3(kSkyZenith),
+                               glm::smoothstep(0.0f, 0.55f, rise)));
     }
-    const auto rise = static_cast<float>(glm::normalize(ray.direction).y);
-    return glm::mix(glm::vec3(kSkyHorizon), glm::vec3(kSkyZenith),
-                    glm::smoothstep(0.0f, 0.55f, rise));
-}
+
+  private:
+    [[nodiscard]] Rgba8 groundAt(double metres) const {
+        const float far = std::max(0.0f, static_cast<float>(metres) / kHazeMetres - 0.2f);
+        return opaque(glm::mix(glm::vec3(ground_.colour) / 255.0f, glm::vec3(kSkyHorizon),
+                               1.0f - std::exp(-far)));
+    }
+
+    const Camera& camera_;
+    const Ground& ground_;
+    double groundMetres_ = 0.0;
+    Rgba8 groundColour_{0};
+};
 
 }  // namespace
 
@@ -92,9 +109,16 @@ Image firstSpritePicture(const Session& session, const Camera& camera) {
     Image image(size.x, size.y);
     const Ground ground;
     parallelFor(size.y, 0, [&](int firstRow, int lastRow) {
-        for (int y = firstRow; y < lastRow; ++y)
-            for (int x = 0; x < size.x; ++x)
-                image.at(x, y) = opaque(skyOrGround(camera, ground, glm::dvec2(x, y) + 0.5));
+        SkyAndGround behind(camera, ground);
+        for (int y = firstRow; y < lastRow; ++y) {
+            Camera::Ray ray = camera.rayFromEye({0.5, y + 0.5});
+            const Camera::Ray next = camera.rayFromEye({1.5, y + 0.5});
+            const Camera::Ray step{next.origin - ray.origin, next.direction - ray.direction};
+            for (int x = 0; x < size.x; ++x) {
+                image.at(x, y) = behind.seen(ray);
+                ray = {ray.origin + step.origin, ray.direction + step.direction};
+            }
+        }
     });
     const GameProfile& profile = session.profile();
     ViewHistory history;

@@ -134,7 +134,13 @@ Result<Window> Window::open(const std::string& title, const WindowPlace& place,
     // It is shown once it is where it belongs.
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_MAXIMIZED, fitted.maximized ? GLFW_TRUE : GLFW_FALSE);
-    impl->window = glfwCreateWindow(fitted.width, fitted.height, title.c_str(), nullptr, nullptr);
+    // By EGL where there is: it is sooner ready than GLX.
+    for (const int api : {GLFW_EGL_CONTEXT_API, GLFW_NATIVE_CONTEXT_API}) {
+        if (impl->window != nullptr) break;
+        glfwWindowHint(GLFW_CONTEXT_CREATION_API, api);
+        impl->window =
+            glfwCreateWindow(fitted.width, fitted.height, title.c_str(), nullptr, nullptr);
+    }
     if (impl->window == nullptr) {
         return fail("no window with OpenGL 4.5 (" + glfwReason() + ")");
     }
