@@ -125,7 +125,7 @@ Status SpriteCaster::cast(std::vector<CastJob>& jobs, std::uint32_t litRows, con
         const std::uint32_t target = jobs[run.first].framebuffer;
         while (run.end < jobs.size() && jobs[run.end].framebuffer == target) ++run.end;
         bindTexture(TextureUnit::palette, litRows);
-        if (const Status done = castInto(jobs, run, block, withIds); !done) return done;
+        if (Status done = castInto(jobs, run, block, withIds); !done) return done;
     }
     return {};
 }
@@ -145,10 +145,10 @@ Status SpriteCaster::castInto(const std::vector<CastJob>& jobs, Run run, SpriteD
                jobs[part.end].narrow == first.narrow) {
             ++part.end;
         }
-        if (const Status done = castRays(jobs, part, block, withIds); !done) return done;
+        if (Status done = castRays(jobs, part, block, withIds); !done) return done;
     }
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
-    if (const Status ready = outline_.use(withIds ? kSpriteIds : kPlain); !ready) return ready;
+    if (Status ready = outline_.use(withIds ? kSpriteIds : kPlain); !ready) return ready;
     beginTarget(jobs[run.first].framebuffer, extent);
     bindTexture(TextureUnit::spriteColours, scratch_.colours.id());
     if (withIds) bindTexture(TextureUnit::spriteIds, scratch_.ids.id());
@@ -162,7 +162,7 @@ Status SpriteCaster::castRays(const std::vector<CastJob>& jobs, Run part, Sprite
                               bool withIds) {
     const CastJob& first = jobs[part.first];
     const SpriteVariants ids = withIds ? kSpriteIds : kPlain;
-    if (const Status ready = cast_.use(castVariants(first, block) | ids); !ready) return ready;
+    if (Status ready = cast_.use(castVariants(first, block) | ids); !ready) return ready;
     bindTexture(TextureUnit::svo, first.octreeTexture);
     shapes_.set(block);
     std::vector<CastTile> tiles;
@@ -196,7 +196,7 @@ Status SpriteCaster::castSinglePass(const CastJob& job, std::uint32_t litRows,
     gl::apply({});
     SpriteDrawBlock block = drawBlock(look);
     if (look.castsFromFaces()) occlusionRays_.bind();
-    if (const Status ready = single_.use(castVariants(job, block)); !ready) return ready;
+    if (Status ready = single_.use(castVariants(job, block)); !ready) return ready;
     beginTarget(target.framebuffer.id(), job.block.region_size);
     const glm::uvec4 empty(kIdEmpty);
     glClearNamedFramebufferuiv(target.framebuffer.id(), GL_COLOR, 0, &empty.x);
