@@ -5,8 +5,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/source.h"
-#include "core/base/file.h"
-#include "core/io/svo_file.h"
+#include "core/io/svo_set.h"
 #include "core/model/entity_voxels.h"
 #include "core/model/playback.h"
 #include "core/svo/bake.h"
@@ -181,21 +180,6 @@ Json documentJson(const LoadedDocument& loaded) {
             {"entity_size", sizeJson(bounds.empty() ? glm::ivec3(0) : bounds.size())}};
 }
 
-// The entities of a .svo, where there are several and none is chosen; else nothing.
-Result<std::vector<SvoFile>> severalEntities(const Options& options) {
-    const Result<Format> format = formatOf(options.file);
-    std::error_code unknown;
-    if (options.reading.entity || !format || *format != Format::svo ||
-        !std::filesystem::is_regular_file(options.file, unknown)) {
-        return {};
-    }
-    const Result<Bytes> bytes = readFile(options.file);
-    if (!bytes) return Failure(bytes.error());
-    Result<std::vector<SvoFile>> set = inFile(readSvoSet(*bytes), options.file);
-    if (set && set->size() == 1) set->clear();
-    return set;
-}
-
 // Models in the order of the file, whose they are beside them.
 Report reportOfSet(const std::vector<SvoFile>& set, const std::string& file) {
     Report report;
@@ -226,7 +210,8 @@ Report reportOfSet(const std::vector<SvoFile>& set, const std::string& file) {
 }
 
 Result<Report> inspect(const Options& options) {
-    const Result<std::vector<SvoFile>> set = severalEntities(options);
+    const Result<std::vector<SvoFile>> set =
+        options.reading.entity ? std::vector<SvoFile>{} : severalEntities(options.file);
     if (!set) return Failure(set.error());
     if (!set->empty()) return reportOfSet(*set, options.file);
     const Result<LoadedDocument> loaded = loadDocument(options.file, options.reading);

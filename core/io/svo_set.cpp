@@ -4,7 +4,10 @@
 #include <set>
 #include <utility>
 
-#include "core/io/svo_file.h"
+#include "core/base/box.h"
+#include "core/base/ending.h"
+#include "core/base/file.h"
+#include "core/io/svo_file_format.h"
 #include "core/io/vox_fields.h"
 
 namespace voxprite {
@@ -41,6 +44,31 @@ Result<SvoFile> bakeMember(const SetMember& member) {
         rename(*baked, utf8FromBytes(member.name));
     }
     return baked;
+}
+
+// By the section table alone; 0 where there is none.
+std::size_t entitiesSaid(ByteView bytes) {
+    constexpr std::size_t kSectionsAt = 12, kLengthAt = 16;
+    ByteReader header(bytes);
+    const Result<ByteView> magic = header.take(svo::kMagic.size(), "the magic");
+    if (!magic || !std::ranges::equal(*magic, svo::kMagic)) return 0;
+    if (bytes.size() < svo::kHeaderBytes) return 0;
+    const std::uint32_t sections = *ByteReader(bytes.subspan(kSectionsAt)).u32("");
+    const std::string_view tag = svo::kLayouts[svo::ENTY].tag;
+    for (std::size_t k = 0; k < sections; ++k) {
+        const std::size_t at = svo::kHeaderBytes + k * svo::kSectionEntryBytes;
+        if (at + svo::kSectionEntryBytes > bytes.size()) break;
+        const ByteView entry = bytes.subspan(at, svo::kSectionEntryBytes);
+        if (!std::equal(tag.begin(), tag.end(), entry.begin())) continue;
+        const std::uint64_t length = *ByteReader(entry.subspan(kLengthAt)).u64("");
+        return length / svo::kLayouts[svo::ENTY].recordBytes;
+    }
+    return 1;
+}
+
+bool isSvoFile(const std::filesystem::path& path) {
+    std::error_code unknown;
+    return lowerEndingOf(path) == ".svo" && std::filesystem::is_regular_file(path, unknown);
 }
 
 }  // namespace
@@ -85,6 +113,34 @@ std::vector<SetMember> modelsOneByOne(const Document& document, const GameProfil
         members.push_back({document, profile, static_cast<int>(model), std::move(own)});
     }
     return members;
+}
+
+Result<std::vector<SvoFile>> severalEntities(const std::filesystem::path& path) {
+    if (!isSvoFile(path)) return {};
+    const Result<Bytes> bytes = readFile(path);
+    if (!bytes || entitiesSaid(*bytes) < 2) return {};
+    Result<std::vector<SvoFile>> set = inFile(readSvoSet(*bytes), path.string());
+    if (set && set->size() == 1) set->clear();
+    return set;
+}
+
+std::size_t entitiesAt(const std::filesystem::path& path) {
+    if (!isSvoFile(path)) return 0;
+    const Result<Bytes> bytes = readFile(path);
+    return bytes ? entitiesSaid(*bytes) : 0;
+}
+
+EntityFigures figuresOf(const SvoFile& entity) {
+    EntityFigures figures;
+    if (!entity.clips.empty()) figures.firstModel = entity.clips[0].models[0];
+    figures.voxels = solidCount(entity.models[figures.firstModel].octree.view());
+    figures.frames = svo::clipFrames(entity) + svo::modelsWithoutClip(entity).size();
+    IBox bounds;
+    for (const SvoModel& model : entity.models) {
+        bounds = bounds.united({model.octree.origin, model.octree.origin + model.octree.size});
+    }
+    if (!bounds.empty()) figures.size = bounds.size();
+    return figures;
 }
 
 }  // namespace voxprite

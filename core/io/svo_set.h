@@ -1,6 +1,9 @@
-// Many entities into one .svo, unlike each other in size, palette, anchor, clips and sockets.
+// Many entities in one .svo, unlike each other in size, palette, anchor, clips and sockets: made,
+// and looked over before one of them is chosen.
 #pragma once
 
+#include <filesystem>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -8,6 +11,7 @@
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
+#include "core/io/svo_file.h"
 #include "core/model/document.h"
 #include "core/model/game_profile.h"
 
@@ -31,5 +35,22 @@ struct SetMember {
 [[nodiscard]] std::vector<SetMember> modelsOneByOne(const Document& document,
                                                     const GameProfile& profile,
                                                     const std::string& name);
+
+// The entities of a .svo that holds several; none of a file with one alone, or of any other file:
+// whoever opens that is told what there is to tell. Costs such files no more than reading them.
+[[nodiscard]] Result<std::vector<SvoFile>> severalEntities(const std::filesystem::path& path);
+// How many entities would go with the file at `path`: as many as it says it holds, unchecked; 0
+// where it is no .svo.
+[[nodiscard]] std::size_t entitiesAt(const std::filesystem::path& path);
+
+// What tells an entity from the others in a list.
+struct EntityFigures {
+    // Index into SvoFile::models of the one that its document shows first.
+    std::size_t firstModel = 0;
+    glm::ivec3 size{0};        // voxels, of all its models together
+    std::uint64_t voxels = 0;  // solid ones of that first model
+    std::size_t frames = 1;    // that its document has
+};
+[[nodiscard]] EntityFigures figuresOf(const SvoFile& entity);
 
 }  // namespace voxprite

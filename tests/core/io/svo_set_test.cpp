@@ -2,14 +2,18 @@
 // (tests/runtime).
 #include <gmock/gmock.h>
 
+#include <fstream>
 #include <set>
 
+#include "core/base/file.h"
 #include "core/io/svo_file.h"
 #include "core/io/svo_set.h"
 #include "core/model/document.h"
+#include "core/model/entity_voxels.h"
 #include "core/svo/bake.h"
 #include "tests/core/io/svo_sections.h"
 #include "tests/support/must.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/voxels.h"
 
 namespace voxprite {
@@ -100,6 +104,51 @@ TEST(SvoSet, MembersAreVerifiedNamedAndTold) {
 
     const std::vector<SetMember> wrong{{box, profile, 7, "lost"}};
     EXPECT_THAT(exportSvoSet(wrong).error().message, testing::HasSubstr("\"lost\""));
+}
+
+TEST(SvoSet, IsToldFromOtherFilesBeforeItIsOpened) {
+    const test::TemporaryFolder folder;
+    const std::vector<SvoFile> set = smallSet();
+    const Bytes bytes = must(writeSvoSet(set));
+    ASSERT_TRUE(writeFileAtomically(folder / "set.SVO", bytes));
+    EXPECT_EQ(entitiesAt(folder / "set.SVO"), 2u);
+    EXPECT_EQ(must(severalEntities(folder / "set.SVO")), set);
+    ASSERT_TRUE(writeFileAtomically(folder / "one.svo", must(writeSvo(set[0]))));
+    EXPECT_EQ(entitiesAt(folder / "one.svo"), 1u);
+    ASSERT_TRUE(writeFileAtomically(folder / "set.vox", bytes));
+    for (const char* name : {"one.svo", "set.vox", "none.svo", ""}) {
+        EXPECT_TRUE(must(severalEntities(folder / name)).empty()) << name;
+    }
+    EXPECT_EQ(entitiesAt(folder / "set.vox"), 0u);
+    EXPECT_EQ(entitiesAt(folder / "none.svo"), 0u);
+    // A damaged set is one still, and its damage is told.
+    Bytes damaged = bytes;
+    damaged[damaged.size() - 1] ^= 1;
+    ASSERT_TRUE(writeFileAtomically(folder / "set.svo", damaged));
+    EXPECT_EQ(entitiesAt(folder / "set.svo"), 2u);
+    EXPECT_THAT(severalEntities(folder / "set.svo").error().describe(),
+                testing::HasSubstr("set.svo"));
+    // However short it is.
+    const std::string text(bytes.begin(), bytes.end());
+    for (std::size_t length = 0; length < 512; ++length) {
+        std::ofstream(folder / "cut.svo", std::ios::binary) << text.substr(0, length);
+        EXPECT_LE(entitiesAt(folder / "cut.svo"), 2u);
+    }
+}
+
+TEST(SvoSet, FiguresTellEntitiesApart) {
+    const std::vector<SvoFile> set = smallSet();
+    EXPECT_EQ(figuresOf(set[0]).size, glm::ivec3(2, 1, 3));
+    EXPECT_EQ(figuresOf(set[0]).voxels, 6u);
+    EXPECT_EQ(figuresOf(set[0]).frames, 1u);
+    const Document busy = test::busyDocument();
+    const SvoFile entity = must(bakeForExport(busy, {}));
+    const EntityFigures figures = figuresOf(entity);
+    EXPECT_EQ(figures.frames, static_cast<std::size_t>(frameCount(documentFromSvo(entity))));
+    EXPECT_EQ(figures.size, entityBounds(busy).size());
+    ASSERT_FALSE(entity.clips.empty());
+    EXPECT_EQ(figures.firstModel, entity.clips[0].models[0]);
+    EXPECT_EQ(figures.voxels, flatten(documentFromSvo(entity), 0).solidCount());
 }
 
 }  // namespace
