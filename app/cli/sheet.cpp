@@ -23,6 +23,7 @@ struct Options {
     SheetOptions sheet;
     int turntableMilliseconds = 80;
     int magnify = 4;
+    bool force = false;
 };
 
 std::vector<std::string> namesFrom(const std::string& text) {
@@ -83,7 +84,9 @@ Result<Report> sheet(const Options& options) {
     for (const SheetFile& file : *files) {
         if (file.loss) warnings.push_back(textJson(file.path.string() + ": " + *file.loss));
     }
-    if (const Status written = writeSheetFiles(*files); !written) return Failure(written.error());
+    if (const Status written = writeSheetFiles(*files, options.force); !written) {
+        return Failure(written.error());
+    }
     Report report;
     const Image& image = made->pictures.front().image;
     report.json = {{"input", textJson(options.input)},
@@ -168,6 +171,9 @@ void addSheet(CLI::App& app, Command& command) {
         ->check(CLI::Range(1, 65535));
     sub.add_option("--magnify", options->magnify, "Pixels a virtual pixel of the turntable (4)")
         ->check(CLI::Range(1, 32));
+    sub.add_flag("--force", options->force,
+                 "Replace files that lie beside OUT under the names of those written beside it, "
+                 "even if no text of such a sheet refers to them");
     sub.add_option("--profile", options->profile, "The game profile (JSON)")->type_name("FILE");
     addParsed(sub, "--sigma", "PIXELS", "Virtual pixels a voxel, in place of the profile's",
               numberFrom, [options](double sigma) { options->sigma = sigma; });

@@ -7,6 +7,7 @@
 #include "core/base/check.h"
 #include "core/base/ending.h"
 #include "core/base/file.h"
+#include "core/io/neighbours.h"
 
 namespace voxprite {
 namespace {
@@ -47,27 +48,21 @@ Result<LoadedDocument> loadFolder(const std::filesystem::path& path, const ReadO
     return loaded;
 }
 
-bool holds(const std::filesystem::path& path, const Bytes& bytes) {
-    const Result<Bytes> there = readFile(path);
-    return there && *there == bytes;
-}
-
 // Nobody asked for what lies beside a file to be replaced, unless that file refers to it.
 Status keepNeighbours(const FormatInfo& info, const std::filesystem::path& path,
                       const std::vector<NamedBytes>& files) {
     for (const NamedBytes& file : files) {
-        const std::filesystem::path target = path.parent_path() / file.name;
-        std::error_code unknown;
-        if (&file == &files.back() || !std::filesystem::exists(target, unknown)) continue;
-        if (holds(target, file.bytes)) continue;
-        const bool ofOurs = std::filesystem::exists(path, unknown) &&
-                            (info.refersTo == nullptr || info.refersTo(path, file.name));
-        if (ofOurs) continue;
-        return failInFile(target.string(),
-                          "would be replaced by what is written beside " +
-                              path.filename().string() +
-                              ", and no such file refers to it; move it away, choose another name "
-                              "or force it (nothing was written)");
+        if (&file == &files.back()) continue;
+        const auto isOurs = [&] {
+            std::error_code unknown;
+            return std::filesystem::exists(path, unknown) &&
+                   (info.refersTo == nullptr || info.refersTo(path, file.name));
+        };
+        if (Status may =
+                mayReplaceNeighbour(path.parent_path() / file.name, file.bytes, path, isOurs);
+            !may) {
+            return may;
+        }
     }
     return {};
 }

@@ -52,24 +52,20 @@ Status checkOptions(const SheetOptions& options, int frames) {
     return {};
 }
 
-struct NamedPalette {
-    std::string picture;
-    Palette palette;
-};
+std::vector<std::string> variantsOf(const Palette& palette, const SheetOptions& options) {
+    if (options.variants) return *options.variants;
+    std::vector<std::string> names;
+    for (const PaletteVariant& variant : palette.variants) names.push_back(variant.name);
+    return names;
+}
 
 // The palette itself, then the variants that were asked for.
-Result<std::vector<NamedPalette>> palettesOf(const Palette& palette, const SheetOptions& options) {
-    std::vector<NamedPalette> palettes{{"", palette}};
-    std::vector<std::string> names;
-    if (options.variants) {
-        names = *options.variants;
-    } else {
-        for (const PaletteVariant& variant : palette.variants) names.push_back(variant.name);
-    }
-    for (const std::string& name : names) {
+Result<std::vector<Palette>> palettesOf(const Palette& palette, const SheetOptions& options) {
+    std::vector<Palette> palettes{palette};
+    for (const std::string& name : variantsOf(palette, options)) {
         const std::optional<std::size_t> variant = palette.variantNamed(name);
         if (!variant) return fail("there is no palette variant \"" + name + "\"");
-        palettes.push_back({"variant-" + name, palette.withVariant(*variant)});
+        palettes.push_back(palette.withVariant(*variant));
     }
     return palettes;
 }
@@ -121,7 +117,7 @@ struct Maker {
     GameProfile profile;
     IBox bounds;
     PlacedEntity placed;
-    std::vector<NamedPalette> palettes;
+    std::vector<Palette> palettes;
 
     [[nodiscard]] double rangeMetres() const { return placed.radiusMetres(); }
     [[nodiscard]] Result<SpriteView> viewFrom(double yaw, double pitch) const;
@@ -148,10 +144,9 @@ Result<Cut> Maker::cut(const OctreeView& octree, double yaw, double pitch, int f
     Cut cut;
     Rectangle part;
     SpriteBuffer buffer;
-    for (const NamedPalette& palette : palettes) {
-        buffer = castSprite(
-            octree, lattice,
-            litPalette(palette.palette, view->light8, profile.outline, profile.shading), 1);
+    for (const Palette& palette : palettes) {
+        buffer = castSprite(octree, lattice,
+                            litPalette(palette, view->light8, profile.outline, profile.shading), 1);
         part = occupied(buffer);
         cut.pictures.push_back(cutOut(buffer.image(), part));
     }
@@ -252,6 +247,17 @@ Status pack(std::vector<Cut>& cuts, const SheetOptions& options,
 
 }  // namespace
 
+std::vector<std::string> picturesOfSheet(const Palette& palette, const SheetOptions& options) {
+    std::vector<std::string> names{""};
+    for (const std::string& variant : variantsOf(palette, options)) {
+        names.push_back("variant-" + variant);
+    }
+    if (options.normals) names.emplace_back("normals");
+    if (options.depths) names.emplace_back("depths");
+    if (options.indices) names.emplace_back("indices");
+    return names;
+}
+
 Result<Sheet> makeSheet(const Document& document, const GameProfile& profile,
                         const SheetOptions& options, const SheetProgress& progress,
                         std::stop_token stop) {
@@ -267,7 +273,7 @@ Result<Sheet> makeSheet(const Document& document, const GameProfile& profile,
         return fail(std::to_string(views * frames.size()) + " sprites are more than the " +
                     std::to_string(kMostSprites) + " that a sheet may hold");
     }
-    Result<std::vector<NamedPalette>> palettes = palettesOf(document.palette, options);
+    Result<std::vector<Palette>> palettes = palettesOf(document.palette, options);
     if (!palettes) return Failure(palettes.error());
 
     Maker maker{document, options, profile, entityBounds(document), {}, std::move(*palettes)};
@@ -316,11 +322,7 @@ Result<Sheet> makeSheet(const Document& document, const GameProfile& profile,
     if (!options.trim) {
         for (Cut& cut : cuts) widenToCell(cut, sheet.cellPx);
     }
-    std::vector<std::string> pictures;
-    for (const NamedPalette& palette : maker.palettes) pictures.push_back(palette.picture);
-    if (options.normals) pictures.emplace_back("normals");
-    if (options.depths) pictures.emplace_back("depths");
-    if (options.indices) pictures.emplace_back("indices");
+    const std::vector<std::string> pictures = picturesOfSheet(document.palette, options);
     if (Status packed = pack(cuts, options, pictures, sheet); !packed) {
         return Failure(packed.error());
     }

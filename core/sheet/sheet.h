@@ -69,6 +69,11 @@ struct Sheet {
     double depthRangeMetres = 0.0;  // grey 255 is so far before the model's centre, 0 behind it
 };
 
+// The names of the pictures that a sheet in this palette would have, in order; variants that there
+// are not are among them.
+[[nodiscard]] std::vector<std::string> picturesOfSheet(const Palette& palette,
+                                                       const SheetOptions& options);
+
 // Of sprites; one call at a time, on any thread.
 using SheetProgress = std::function<void(int done, int all)>;
 

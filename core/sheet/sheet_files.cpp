@@ -8,6 +8,7 @@
 #include "core/base/file.h"
 #include "core/io/apng.h"
 #include "core/io/gif.h"
+#include "core/io/neighbours.h"
 #include "core/io/png.h"
 #include "core/sheet/sheet_json.h"
 
@@ -56,12 +57,32 @@ Status addTurntable(std::vector<SheetFile>& files, const Turntable& turntable, c
     if (lowerEndingOf(turntable.path) == ".gif") {
         Result<GifImage> gif = inFile(writeGif(frames), turntable.path.string());
         if (!gif) return Failure(gif.error());
-        files.push_back({turntable.path, std::move(gif->bytes), std::move(gif->loss)});
+        files.push_back({turntable.path, std::move(gif->bytes), std::move(gif->loss), true});
         return {};
     }
     Result<Bytes> bytes = inFile(writeApng(frames), turntable.path.string());
     if (!bytes) return Failure(bytes.error());
-    files.push_back({turntable.path, std::move(*bytes)});
+    files.push_back({turntable.path, std::move(*bytes), std::nullopt, true});
+    return {};
+}
+
+std::filesystem::path textOf(std::filesystem::path output) {
+    return output.replace_extension(".json");
+}
+
+// The text that lies there says what belongs to the sheet before this one, itself included.
+Status keepNeighbours(std::span<const SheetFile> files) {
+    const std::filesystem::path output = files.front().path;
+    const Result<std::string> text = readTextFile(textOf(output));
+    for (const SheetFile& file : files) {
+        if (file.asked) continue;
+        const bool isText = &file == &files.back();
+        const std::string name = (isText ? output : file.path).filename().string();
+        const Status may = mayReplaceNeighbour(file.path, file.bytes, output, [&] {
+            return text && sheetJsonNames(*text, output.filename().string(), name);
+        });
+        if (!may) return may;
+    }
     return {};
 }
 
@@ -77,18 +98,39 @@ Result<std::vector<SheetFile>> sheetFiles(const Sheet& sheet, const Document& do
             addPng(files, pictureName(output.string(), picture.name), picture.image);
         if (!added) return Failure(added.error());
     }
+    files.front().asked = true;
     if (turntable) {
         const Status added = addTurntable(files, *turntable, sheet, document);
         if (!added) return Failure(added.error());
     }
     const std::string text =
         sheetJson(sheet, document, profile, options, output.filename().string());
-    files.push_back({std::filesystem::path(output).replace_extension(".json"),
-                     Bytes(text.begin(), text.end())});
+    files.push_back({textOf(output), Bytes(text.begin(), text.end())});
     return files;
 }
 
-Status writeSheetFiles(std::span<const SheetFile> files) {
+std::vector<std::filesystem::path> replacedBySheet(const Palette& palette,
+                                                   const SheetOptions& options,
+                                                   const std::filesystem::path& output,
+                                                   const std::optional<Turntable>& turntable) {
+    std::vector<std::filesystem::path> files;
+    for (const std::string& picture : picturesOfSheet(palette, options)) {
+        if (!picture.empty()) files.emplace_back(pictureName(output.string(), picture));
+    }
+    if (turntable) files.push_back(turntable->path);
+    files.push_back(textOf(output));
+    files.push_back(output);
+    std::erase_if(files, [](const std::filesystem::path& file) {
+        std::error_code unknown;
+        return !std::filesystem::exists(file, unknown);
+    });
+    return files;
+}
+
+Status writeSheetFiles(std::span<const SheetFile> files, bool replaceNeighbours) {
+    if (!files.empty() && !replaceNeighbours) {
+        if (Status kept = keepNeighbours(files); !kept) return kept;
+    }
     for (const SheetFile& file : files) {
         if (Status written = writeFileAtomically(file.path, file.bytes); !written) return written;
     }

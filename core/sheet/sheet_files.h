@@ -26,6 +26,9 @@ struct SheetFile {
     std::filesystem::path path;
     Bytes bytes;
     std::optional<std::string> loss{};  // what of the pictures is not in it, a sentence
+    // Was it named by whoever wants the sheet: that of the sprites, and the turntable? The others
+    // lie beside it.
+    bool asked = false;
 };
 
 // `output`, which ends in .png, is the sprites' picture; the others and the text are named after
@@ -34,8 +37,15 @@ struct SheetFile {
     const Sheet& sheet, const Document& document, const GameProfile& profile,
     const SheetOptions& options, const std::filesystem::path& output,
     const std::optional<Turntable>& turntable = {});
-// Each atomically, in order; ends at the first that fails.
-[[nodiscard]] Status writeSheetFiles(std::span<const SheetFile> files);
+// The files that these would replace, `output` last: what a person has to agree to.
+[[nodiscard]] std::vector<std::filesystem::path> replacedBySheet(
+    const Palette& palette, const SheetOptions& options, const std::filesystem::path& output,
+    const std::optional<Turntable>& turntable = {});
+// Each atomically, in order; ends at the first that fails. What sheetFiles() made: of the files
+// that were not asked for, those there belong to an earlier sheet where its text refers to them.
+// Another's are kept, and nothing is written, unless `replaceNeighbours`.
+[[nodiscard]] Status writeSheetFiles(std::span<const SheetFile> files,
+                                     bool replaceNeighbours = false);
 
 // --- options as an artist types them
 // "30, 60"

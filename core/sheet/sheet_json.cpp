@@ -113,6 +113,23 @@ std::string pictureName(const std::string& imageName, const std::string& picture
     return (path.parent_path() / name).string();
 }
 
+bool sheetJsonNames(const std::string& text, const std::string& imageName,
+                    const std::string& picture) {
+    const Result<Json> json = parseJson(text);
+    if (!json || !json->is_object()) return false;
+    const auto at = [&](const char* pointer) {
+        const Json::json_pointer place(pointer);
+        return json->contains(place) ? json->at(place) : Json();
+    };
+    if (at("/meta/app") != "voxprite" || at("/meta/image") != jsonTextFromBytes(imageName)) {
+        return false;
+    }
+    if (picture == imageName) return true;
+    const Json images = at("/meta/voxprite/images");
+    return std::ranges::any_of(
+        images, [&](const Json& image) { return image == jsonTextFromBytes(picture); });
+}
+
 int frameMilliseconds(const Document& document, int frame) {
     for (const Clip& clip : document.clips) {
         if (frame < clip.first || frame > clip.last) continue;

@@ -15,6 +15,11 @@ namespace voxprite {
                                     const GameProfile& profile, const SheetOptions& options,
                                     const std::string& imageName);
 
+// Is this such a text of a sheet whose first picture is `imageName`, and does it name `picture` (a
+// file's name, as that one is) among its pictures?
+[[nodiscard]] bool sheetJsonNames(const std::string& text, const std::string& imageName,
+                                  const std::string& picture);
+
 // "knight.png" and "normals" make "knight.normals.png".
 [[nodiscard]] std::string pictureName(const std::string& imageName, const std::string& picture);
 

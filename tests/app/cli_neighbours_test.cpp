@@ -81,5 +81,49 @@ TEST_F(CliNeighbours, OfAStackOfPicturesAreKept) {
     EXPECT_EQ(replaced.size(), pictures);
 }
 
+TEST_F(CliNeighbours, OfASpriteSheetAreKeptUnlessItsTextRefersToThem) {
+    const std::string input = model();
+    const std::vector<std::string> sheet{"sheet",        input, "-o",       file("hut.png"),
+                                         "--directions", "1",   "--normals"};
+    for (const char* name : {"hut.json", "hut.normals.png"}) {
+        write(name, "mine");
+        const ProgramResult refused = run(sheet);
+        EXPECT_EQ(refused.status, 1);
+        EXPECT_NE(refused.err.find(name), std::string::npos) << refused.err;
+        EXPECT_NE(refused.err.find("nothing was written"), std::string::npos) << refused.err;
+        EXPECT_EQ(contentOf(file(name)), "mine");
+        EXPECT_FALSE(exists("hut.png"));
+        std::filesystem::remove(file(name));
+    }
+    // The picture itself was asked for.
+    write("hut.png", "mine");
+    ASSERT_EQ(run(sheet).status, 0);
+    EXPECT_NE(contentOf(file("hut.png")), "mine");
+    // What was made before is made again in other colours, but nothing that it did not have.
+    Document painted = documentOf(figure());
+    painted.palette.colours[1] = {1, 200, 3, 255};
+    ASSERT_TRUE(saveDocument(input, painted, GameProfile{}));
+    EXPECT_EQ(run(sheet).status, 0);
+    write("hut.depths.png", "mine");
+    std::vector<std::string> more = sheet;
+    more.push_back("--depths");
+    EXPECT_EQ(run(more).status, 1);
+    EXPECT_EQ(contentOf(file("hut.depths.png")), "mine");
+    more.push_back("--force");
+    EXPECT_EQ(run(more).status, 0);
+    EXPECT_NE(contentOf(file("hut.depths.png")), "mine");
+    more.pop_back();
+    EXPECT_EQ(run(more).status, 0) << "once more";
+}
+
+TEST_F(CliNeighbours, ATurntableIsAskedForByItsName) {
+    write("turn.gif", "mine");
+    EXPECT_EQ(run({"sheet", model(), "-o", file("hut.png"), "--directions", "2", "--turntable",
+                   file("turn.gif")})
+                  .status,
+              0);
+    EXPECT_NE(contentOf(file("turn.gif")), "mine");
+}
+
 }  // namespace
 }  // namespace voxprite::test

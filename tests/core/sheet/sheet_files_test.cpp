@@ -1,11 +1,12 @@
 // The files of a sheet, and options as they are typed.
 #include "core/sheet/sheet_files.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "core/io/png.h"
 #include "core/sheet/sheet_json.h"
 #include "tests/support/must.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/voxels.h"
 
 namespace voxprite {
@@ -42,6 +43,50 @@ TEST(SheetFiles, SayWhatCannotBeWritten) {
     const Status written = writeSheetFiles(files);
     ASSERT_FALSE(written);
     EXPECT_NE(written.error().describe().find("/nowhere/at/all.png"), std::string::npos);
+}
+
+TEST(SheetFiles, WhatTheyWouldReplaceIsKnownBeforeTheyAreMade) {
+    const test::TemporaryFolder folder;
+    Document document = test::documentOf(test::figure());
+    document.palette.variants.push_back({"night", {}});
+    SheetOptions options;
+    options.directions = 2;
+    options.normals = options.depths = options.indices = true;
+    const std::filesystem::path output = folder / "hut.png";
+    const Turntable turntable{folder / "turn.gif"};
+    const GameProfile profile;
+    const auto replaced = [&] {
+        return replacedBySheet(document.palette, options, output, turntable);
+    };
+    EXPECT_TRUE(replaced().empty());
+    const Sheet sheet = must(makeSheet(document, profile, options));
+    const auto files = must(sheetFiles(sheet, document, profile, options, output, turntable));
+    ASSERT_TRUE(writeSheetFiles(files));
+    std::vector<std::filesystem::path> written;
+    for (const SheetFile& file : files) written.push_back(file.path);
+    EXPECT_THAT(replaced(), testing::UnorderedElementsAreArray(written));
+    EXPECT_EQ(replaced().back(), output);
+    std::filesystem::remove(folder / "hut.depths.png");
+    EXPECT_EQ(replaced().size(), files.size() - 1);
+}
+
+TEST(SheetFiles, TheTextSaysWhichPicturesAreItsOwn) {
+    const Document document = test::documentOf(test::figure());
+    SheetOptions options;
+    options.directions = 1;
+    options.normals = true;
+    const Sheet sheet = must(makeSheet(document, {}, options));
+    const std::string text = sheetJson(sheet, document, {}, options, "hut.png");
+    EXPECT_TRUE(sheetJsonNames(text, "hut.png", "hut.png"));
+    EXPECT_TRUE(sheetJsonNames(text, "hut.png", "hut.normals.png"));
+    EXPECT_FALSE(sheetJsonNames(text, "hut.png", "hut.depths.png"));
+    EXPECT_FALSE(sheetJsonNames(text, "other.png", "hut.normals.png"));
+    // What another program wrote for a picture of this name, or no such text at all.
+    for (const char* other :
+         {R"({"meta": {"app": "https://www.aseprite.org/", "image": "hut.png"}})",
+          R"({"meta": {"app": "voxprite", "image": 7}})", R"({"meta": 1})", "[]", "{", ""}) {
+        EXPECT_FALSE(sheetJsonNames(other, "hut.png", "hut.png")) << other;
+    }
 }
 
 TEST(SheetLists, NumbersAreReadAsTyped) {
