@@ -1,6 +1,7 @@
 // voxprite [edit] [FILE...]: the editor.
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
+#include "app/cli/source.h"
 #include "app/editor/editor.h"
 #include "core/io/formats.h"
 
@@ -23,6 +24,7 @@ void addEdit(CLI::App& app, Command& command) {
             options->files.assign(files.begin(), files.end());
         },
         "Models to open: " + listed(modelEndings()));
+    addEntityOption(sub, options->entity);
     const auto addPath = [&](const char* name, std::optional<std::filesystem::path>& target,
                              const char* form, const char* description) {
         sub.add_option_function<std::string>(

@@ -13,6 +13,7 @@ namespace {
 struct Options {
     std::string input;
     std::optional<std::string> output, import, variant;
+    ReadOptions reading;
     bool removeUnused = false;
     bool suggestRamps = false;
 };
@@ -49,7 +50,7 @@ Json colourJson(const Palette& palette, std::uint8_t index, std::uint64_t voxels
 }
 
 Result<Report> palette(const Options& options) {
-    Result<LoadedDocument> loaded = loadDocument(options.input);
+    Result<LoadedDocument> loaded = loadDocument(options.input, options.reading);
     if (!loaded) return Failure(loaded.error());
     Document& document = loaded->document;
     Palette& colours = document.palette;
@@ -109,6 +110,7 @@ void addPalette(CLI::App& app, Command& command) {
                  "Clear the colours that no voxel and no ramp uses");
     sub.add_flag("--suggest-ramps", options->suggestRamps,
                  "Make ramps of the colours in use that have about the same hue");
+    addEntityOption(sub, options->reading);
     addJsonFlag(sub, command);
     runs(sub, command, options, palette);
 }

@@ -60,11 +60,10 @@ Result<LoadedDocument> loadSource(const std::filesystem::path& path, std::option
     return loaded;
 }
 
-void addEntityOption(CLI::App& app, ReadOptions& options) {
+void addEntityOption(CLI::App& app, std::optional<std::size_t>& entity) {
     addParsed(app, "--entity", "INDEX",
               "Of a .svo with several entities: this one, as `inspect` lists them (from 0)",
-              indexFrom,
-              [&options](int entity) { options.entity = static_cast<std::size_t>(entity); });
+              indexFrom, [&entity](int index) { entity = static_cast<std::size_t>(index); });
 }
 
 Result<GameProfile> profileForSaving(const std::optional<std::string>& path,

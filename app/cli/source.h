@@ -22,7 +22,10 @@ namespace voxprite::cli {
     const std::optional<std::string>& variant = std::nullopt, const ReadOptions& options = {});
 
 // --entity INDEX: of a .svo with several entities.
-void addEntityOption(CLI::App& app, ReadOptions& options);
+void addEntityOption(CLI::App& app, std::optional<std::size_t>& entity);
+inline void addEntityOption(CLI::App& app, ReadOptions& options) {
+    addEntityOption(app, options.entity);
+}
 
 // The colours of a variant, by its name, in place of the palette's own; then there are no variants.
 [[nodiscard]] Status chooseVariant(Palette& palette, const std::string& name);

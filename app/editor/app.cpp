@@ -23,8 +23,10 @@ constexpr double kCommandSeconds = 0.04;  // of a frame, for what was asked for
 
 }  // namespace
 
-Status App::openAtStart(const std::filesystem::path& file) {
-    Status opened = session_.open(file);
+Status App::openAtStart(const std::filesystem::path& file, std::optional<std::size_t> entity) {
+    ReadOptions options;
+    options.entity = entity;
+    Status opened = session_.open(file, options);
     if (opened) settings_.remember(file);
     return opened;
 }
@@ -49,7 +51,7 @@ void App::frame(const Theme& theme, const std::vector<InputEvent>& events) {
     std::vector<glm::dvec2> path{pointer_};
     for (const InputEvent& event : events) {
         if (event.kind == InputKind::move) path.push_back(event.position);
-        if (event.kind == InputKind::drop && !event.files.empty()) requestOpen(event.files.front());
+        if (event.kind == InputKind::drop && !event.files.empty()) drop(event.files);
     }
     pointer_ = path.back();
     seconds_ += static_cast<double>(ImGui::GetIO().DeltaTime);
@@ -79,6 +81,16 @@ void App::frame(const Theme& theme, const std::vector<InputEvent>& events) {
     keepCopy();
     clock_.end(FramePart::work);
     dumpLayout();
+}
+
+void App::drop(const std::vector<std::filesystem::path>& files) {
+    // A question is answered first; cards that only tell something give way.
+    const std::string dialog = openDialog();
+    if (!dialog.empty() && dialog != "error" && dialog != "about") {
+        return toasts_.info("Close this first, then drop " + files.front().filename().string());
+    }
+    if (files.size() > 1) sayOneAtATime(files.front());
+    requestOpen(files.front());
 }
 
 void App::performEdits() {
@@ -327,6 +339,7 @@ std::string App::openDialog() const {
     if (recovery_.isOpen()) return "recovery";
     if (files_.isBrowsing()) return "browser";
     if (files_.isImporting()) return "import";
+    if (files_.entities().isOpen()) return "entities";
     const std::string dialog = dialogs_.openName();
     return dialog.empty() ? overlays_.openName() : dialog;
 }
@@ -354,11 +367,16 @@ void App::dumpLayout() {
                          {"steps", session_.history().position()},
                          {"sigma", session_.profile().sigma},
                          {"file", session_.path() ? session_.path()->string() : ""},
+                         {"title", session_.title()},
                          {"dialog", openDialog()},
                          {"browser", files_.browserSays()},
                          {"colour", settings_.tool.colour},
                          {"toast", toasts_.newest()}};
-    if (overlays_.sheet.isOpen()) state["sheet"] = overlays_.sheet.said();
+    if (overlays_.sheet.isOpen()) {
+        state["sheet"] = overlays_.sheet.said();
+        state["sheet_file"] = overlays_.sheet.saysOfFile();
+    }
+    if (files_.entities().isOpen()) state["entities"] = files_.entities().said();
     if (const auto& floating = session_.selection().floating()) state["amount"] = floating->amount;
     const SceneFigures& sprites = sprite_.figures();
     state["sprites"] = {{"entities", sprites.entities},

@@ -30,16 +30,18 @@ class App {
     [[nodiscard]] static Result<std::unique_ptr<App>> create(
         EditorSettings settings, std::optional<std::filesystem::path> layoutDump);
 
-    // What the command line names; a failure is the caller's to report.
-    [[nodiscard]] Status openAtStart(const std::filesystem::path& file);
+    // What the command line names; a failure is the caller's to report. `entity`: of several in the
+    // file.
+    [[nodiscard]] Status openAtStart(const std::filesystem::path& file,
+                                     std::optional<std::size_t> entity);
     [[nodiscard]] Status openProfileAtStart(const std::filesystem::path& file);
 
     // One frame: `events` are those that ImGui was fed. Between ImGui's NewFrame and Render.
     void frame(const Theme& theme, const std::vector<InputEvent>& events);
-    // Dropped or otherwise asked for; asks about unsaved changes first.
-    void requestOpen(const std::filesystem::path& file) {
+    // Asks about unsaved changes first.
+    void requestOpen(const std::filesystem::path& file, std::optional<std::size_t> entity = {}) {
         keepToolsWork();
-        files_.open(file);
+        files_.open(file, entity);
     }
     void requestQuit() {
         keepToolsWork();
@@ -63,6 +65,10 @@ class App {
         if (autosave_) autosave_->finish();
     }
     void say(std::string text) { toasts_.info(std::move(text)); }
+    // Of several files that were named or dropped, that only the first is opened.
+    void sayOneAtATime(const std::filesystem::path& first) {
+        say("One document at a time: " + first.filename().string() + " is opened");
+    }
 
     [[nodiscard]] bool quits() const { return files_.quits(); }
     // Something moves by itself, so that the next frame must not wait for input.
@@ -91,6 +97,7 @@ class App {
     void dumpLayout();
     [[nodiscard]] std::string openDialog() const;
 
+    void drop(const std::vector<std::filesystem::path>& files);
     // What a tool is still making, and what is in the air, becomes part of the document.
     void keepToolsWork();
     // What the user interface has asked for this frame.

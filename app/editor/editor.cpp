@@ -14,6 +14,7 @@
 #include "core/base/file.h"
 #include "core/io/formats.h"
 #include "core/io/png.h"
+#include "core/io/svo_set.h"
 
 namespace voxprite {
 namespace editor {
@@ -188,13 +189,17 @@ Status Editor::run() {
 }
 
 // For a hand the window is there at once and reads the file behind itself; what could not be a
-// model is refused before.
-Status openFirst(App& app, const std::filesystem::path& file, bool automatic) {
-    if (automatic) return app.openAtStart(file);
+// model is refused before. Which entity of several is meant is asked in the window.
+Status openFirst(App& app, const EditorOptions& options, bool automatic) {
+    const std::filesystem::path& file = options.files.front();
+    const bool asks = !options.entity && entitiesAt(file) > 1;
+    if (automatic && !asks) return app.openAtStart(file, options.entity);
     if (const Result<Format> format = formatOf(file); !format) return Failure(format.error());
     std::error_code unknown;
-    if (!std::filesystem::is_regular_file(file, unknown)) return app.openAtStart(file);
-    app.requestOpen(file);
+    if (!std::filesystem::is_regular_file(file, unknown)) {
+        return app.openAtStart(file, options.entity);
+    }
+    app.requestOpen(file, options.entity);
     return {};
 }
 
@@ -227,13 +232,12 @@ Status runEditor(const EditorOptions& options) {
         if (Status opened = (*app)->openProfileAtStart(*options.profile); !opened) return opened;
     }
     if (!options.files.empty()) {
-        if (Status opened = openFirst(**app, options.files.front(), automatic); !opened) {
+        if (Status opened = openFirst(**app, options, automatic); !opened) {
             return opened;
         }
     }
     if (options.files.size() > 1) {
-        (*app)->say("One document at a time: " + options.files.front().filename().string() +
-                    " is open");
+        (*app)->sayOneAtATime(options.files.front());
     }
     std::optional<std::filesystem::path> recovery = options.recovery;
     if (!recovery && !automatic) recovery = recoveryPath();

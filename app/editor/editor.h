@@ -12,7 +12,9 @@
 namespace voxprite {
 
 struct EditorOptions {
-    std::vector<std::filesystem::path> files;      // the first is opened
+    std::vector<std::filesystem::path> files;  // the first is opened
+    // Of a file with several entities: this one, without asking.
+    std::optional<std::size_t> entity;
     std::optional<std::filesystem::path> profile;  // game profile in use
     // Writes the window's content to a PNG after `frames` frames and quits.
     std::optional<std::filesystem::path> screenshot;

@@ -161,11 +161,30 @@ TEST(SceneCopies, StandInTheFormationAsTheEditedModelFaces) {
     EXPECT_NEAR(reachMetres(edited), std::hypot(2.0, 3.0) * 0.2, 1e-12);
 }
 
+TEST(SceneSettings, AnExtraModelJoinsOnce) {
+    SceneSettings settings;
+    settings.add({.file = "a.vox"});
+    EXPECT_EQ(settings.copies.pattern, CopyPattern::crowd);
+    settings.copies.pattern = CopyPattern::grid;
+    settings.add({"set.svo", true, 0, "oak"});
+    settings.add({"set.svo", true, 1, "elm"});
+    settings.add({.file = "a.vox"});
+    ASSERT_EQ(settings.extras.size(), 3u);
+    EXPECT_EQ(settings.copies.pattern, CopyPattern::grid);
+    settings.extras[1].used = false;
+    settings.add({"set.svo", true, 0, "oak"});
+    ASSERT_EQ(settings.extras.size(), 3u);
+    EXPECT_TRUE(settings.extras.back().used);
+    EXPECT_EQ(settings.extras.back().entityName, "oak");
+}
+
 TEST(SceneSettings, AreKeptAndBroughtIntoRange) {
     SceneSettings settings;
     settings.copies = settingsOf(CopyPattern::march, 1234, 2.5);
     settings.copies.editedUsed = false;
-    settings.extras = {{"/models/oak.vox", false}, {"/models/hut.voxprite", true}};
+    settings.extras = {{"/models/oak.vox", false},
+                       {"/models/hut.voxprite", true},
+                       {"/models/set.svo", true, 3, "guard"}};
     settings.pace = 1.25;
     settings.pictureScale = 8;
     settings.comparison.cells = 4;

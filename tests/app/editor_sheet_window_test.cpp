@@ -67,17 +67,34 @@ TEST_F(SheetInAWindow, WritesWhatTheCommandLineWrites) {
         EXPECT_TRUE(made == contentOf(file("typed") / name)) << name;
     }
 
-    // What was set is there again, in this run and in the next.
+    // What was set is there again, in this run and in the next. All that goes is named before.
+    std::ofstream(file("hand.json")) << "mine";
+    std::filesystem::remove(file("hand.depths.png"));
     key("ctrl+shift+e");
     awaitDialog("sheet");
+    const auto asks = [&](const std::string& question) {
+        await(question,
+              [&](const Json& now) { return now.at("state").at("sheet_file") == question; });
+    };
+    write("sheet.file", file("hand.png").string());
+    click(centreOf("sheet.export"));
+    asks("hand.png and 3 files beside it exist. Press again to replace them");
+    EXPECT_EQ(contentOf(file("hand.json")), "mine");
+    click(centreOf("sheet.turntable"));
+    click(centreOf("sheet.normals"));
+    std::filesystem::remove(file("hand.png"));
+    write("sheet.file", file("other/../hand.png").string());
+    click(centreOf("sheet.export"));
+    asks("hand.json exists. Press again to replace it");
     key("Escape");
     awaitDialog("");
+    EXPECT_EQ(contentOf(file("hand.json")), "mine");
     key("ctrl+q");
     EXPECT_EQ(editor().wait(), 0);
     const Json settings = Json::parse(contentOf(file("config") / "voxprite" / "editor.json"));
     EXPECT_EQ(settings.at("sheet").at("directions"), 4);
     EXPECT_EQ(settings.at("sheet").at("pitches"), "20, 50");
-    EXPECT_EQ(settings.at("sheet").at("normals"), true);
+    EXPECT_EQ(settings.at("sheet").at("depths"), true);
 }
 
 TEST_F(SheetInAWindow, WhatCannotBeMadeIsToldAndNotWritten) {

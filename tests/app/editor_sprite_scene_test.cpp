@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <set>
 
+#include "core/base/file.h"
 #include "core/edit/make_action.h"
 #include "core/edit/patches.h"
 #include "core/io/formats.h"
+#include "core/io/svo_set.h"
 #include "tests/render/gl_test.h"
+#include "tests/support/must.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/voxels.h"
 
@@ -115,6 +118,32 @@ TEST_F(EditorSpriteScene, ExtraModelsJoinPlayAndLeave) {
     settings_.copies.pattern = CopyPattern::none;
     EXPECT_EQ(made().entities.size(), 1u);
     EXPECT_FALSE(scene_->moves(settings_));
+}
+
+TEST_F(EditorSpriteScene, EntitiesOfOneFileJoinEachByItself) {
+    const Document letters = test::documentOf(test::asymmetric());
+    const Document box = test::documentOf(test::solidBox({2, 3, 4}));
+    const GameProfile profile;
+    const auto write = [&](const std::vector<SetMember>& members) {
+        ASSERT_TRUE(writeFileAtomically(folder_ / "set.svo", test::must(exportSvoSet(members))));
+    };
+    const SetMember first{letters, profile, std::nullopt, "letters"};
+    const SetMember second{box, profile, std::nullopt, "box"};
+    write({first, second});
+    const std::filesystem::path set = folder_ / "set.svo";
+    settings_.extras = {{set, true, 0, "letters"}, {set, true, 1, "box"}};
+    EXPECT_EQ(octrees().size(), 3u);
+    settings_.extras.pop_back();
+    EXPECT_EQ(octrees().size(), 2u);
+    // Exported anew, the file has another entity there: that one is not taken for it.
+    write({second, first});
+    settings_.extras = {{set, true, 1, "box"}};
+    const std::vector<Error> problems = scene_->follow(session_, settings_);
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_NE(problems[0].describe().find("\"letters\" where \"box\" was"), std::string::npos)
+        << problems[0].describe();
+    settings_.extras = {{set, true, 0, "box"}};
+    EXPECT_EQ(octrees().size(), 2u);
 }
 
 TEST_F(EditorSpriteScene, AFileThatCannotBeReadIsToldOnceAndOnlyWhenItIsWanted) {

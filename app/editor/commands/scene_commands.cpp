@@ -42,15 +42,7 @@ void addModel(CommandContext& c) {
     c.files.browse(
         {.title = "Add a model to the scene", .button = "Add", .extensions = modelEndings()},
         [](CommandContext& context, const std::filesystem::path& file) {
-            SceneSettings& scene = context.settings.scene;
-            std::erase(scene.extras, ExtraModelChoice{file, false});
-            if (std::ranges::find(scene.extras, file, &ExtraModelChoice::file) ==
-                scene.extras.end()) {
-                scene.extras.push_back({file, true});
-            }
-            if (scene.copies.pattern == CopyPattern::none) {
-                scene.copies.pattern = CopyPattern::crowd;
-            }
+            context.files.addToScene(file);
         });
 }
 

@@ -11,6 +11,7 @@
 
 #include "app/editor/panels/widgets.h"
 #include "app/editor/window/icons.h"
+#include "core/io/svo_set.h"
 
 namespace voxprite::editor {
 namespace {
@@ -33,12 +34,17 @@ std::string sizeText(std::uintmax_t bytes) {
     return buffer.data();
 }
 
-// All of few files by name, of many the one that was asked for.
+}  // namespace
+
 std::string questionAbout(const std::vector<fs::path>& replaced) {
     constexpr std::size_t kNamed = 3;
     const auto nameOf = [](const fs::path& path) { return path.filename().string(); };
     if (replaced.size() == 1) {
-        return nameOf(replaced[0]) + " exists. Press again to replace it";
+        const std::size_t entities = entitiesAt(replaced[0]);
+        const std::string held =
+            entities > 1 ? " and holds " + std::to_string(entities) + " models, all of which go"
+                         : "";
+        return nameOf(replaced[0]) + " exists" + held + ". Press again to replace it";
     }
     if (replaced.size() > kNamed) {
         return nameOf(replaced.back()) + " and " + std::to_string(replaced.size() - 1) +
@@ -50,8 +56,6 @@ std::string questionAbout(const std::vector<fs::path>& replaced) {
     }
     return names + " exist. Press again to replace them";
 }
-
-}  // namespace
 
 void FileBrowser::open(Request request) {
     request_ = std::move(request);

@@ -11,6 +11,10 @@
 
 namespace voxprite::editor {
 
+// What has to be agreed to before these files are replaced, of which the last is the one that was
+// asked for: few by name, many by that one. Of a .svo also how much it holds.
+[[nodiscard]] std::string questionAbout(const std::vector<std::filesystem::path>& replaced);
+
 class FileBrowser {
   public:
     struct Request {

@@ -127,9 +127,11 @@ void drawModels(Ui& ui) {
     }
     for (std::size_t i = 0; i < scene.extras.size(); ++i) {
         ExtraModelChoice& extra = scene.extras[i];
-        const RowAsks asks =
-            modelRow(ui, "scene.extra." + std::to_string(i), extra.file.stem().string(), extra.used,
-                     extra.file.c_str(), true);
+        const std::string name =
+            extra.entity ? extra.entityName + "  (" + extra.file.filename().string() + ")"
+                         : extra.file.stem().string();
+        const RowAsks asks = modelRow(ui, "scene.extra." + std::to_string(i), name, extra.used,
+                                      extra.file.c_str(), true);
         if (asks == RowAsks::toggle) extra.used = !extra.used;
         if (asks == RowAsks::remove) {
             scene.extras.erase(scene.extras.begin() + static_cast<std::ptrdiff_t>(i));

@@ -54,16 +54,24 @@ void textRow(Ui& ui, const char* name, const char* label, std::string& text, con
     ImGui::PopID();
 }
 
+std::optional<Turntable> turntableBeside(const std::filesystem::path& path,
+                                         const SheetSettings& settings) {
+    if (!settings.turntable) return std::nullopt;
+    const bool gif = settings.turntableKind == TurntableKind::gif;
+    const std::string name = path.stem().string() + (gif ? ".turntable.gif" : ".turntable.png");
+    return Turntable{path.parent_path() / name, settings.turntableMilliseconds, settings.magnify};
+}
+
 }  // namespace
 
 void SheetDialog::open(const Session& session, const std::filesystem::path& folder) {
     open_ = true;
-    const std::string name = session.path() ? session.title() : "untitled";
     const auto beside = session.path() ? session.path()->parent_path() : folder;
     std::error_code ignored;
-    file_ =
-        std::filesystem::absolute(beside / (name + ".png"), ignored).lexically_normal().string();
-    replace_.reset();
+    file_ = std::filesystem::absolute(beside / (session.stem() + ".png"), ignored)
+                .lexically_normal()
+                .string();
+    replace_.clear();
     problem_.clear();
     asked_.reset();
     zoom_ = 1.0f;
@@ -276,11 +284,14 @@ void SheetDialog::browse(Ui& ui) {
                                  .saving = true,
                                  .extensions = {".png"},
                                  .folder = now.parent_path(),
-                                 .name = now.filename().string()};
+                                 .name = now.filename().string(),
+                                 .replaced = [](const auto&) {
+                                     // Asked about when all that goes is known.
+                                     return std::vector<std::filesystem::path>{};
+                                 }};
     ui.context.files.browse(std::move(request),
                             [this](CommandContext&, const std::filesystem::path& chosen) {
                                 file_ = chosen.string();
-                                replace_ = chosen;
                                 problem_.clear();
                             });
 }
@@ -324,28 +335,27 @@ std::optional<SheetExport> SheetDialog::accept(Ui& ui) {
         path += ".png";
         file_ = path.string();
     }
-    std::error_code ignored;
-    if (std::filesystem::exists(path, ignored) && replace_ != path) {
-        replace_ = path;
-        problem_ = path.filename().string() + " exists. Press again to replace it";
-        return std::nullopt;
-    }
     const SheetSettings& settings = ui.settings.sheet;
     const Result<SheetOptions> options = sheetOptions(settings);
     if (!options) return std::nullopt;
+    const std::optional<Turntable> turntable = turntableBeside(path, settings);
+    const std::vector<std::filesystem::path> replaced =
+        replacedBySheet(ui.session.document().palette, *options, path, turntable);
+    const bool agreed = std::ranges::all_of(replaced, [&](const std::filesystem::path& file) {
+        return std::ranges::find(replace_, file) != replace_.end();
+    });
+    if (!agreed) {
+        replace_ = replaced;
+        problem_ = questionAbout(replaced);
+        return std::nullopt;
+    }
     SheetExport asked{
         {ui.session.snapshot(), sheetProfile(settings, ui.session.profile()), *options},
         nullptr,
         path,
-        std::nullopt};
+        turntable};
     // What is seen is what was asked for, unless it is still on its way.
     if (!maker_.working() && maker_.made()) asked.sheet = maker_.made()->sheet;
-    if (settings.turntable) {
-        const bool gif = settings.turntableKind == TurntableKind::gif;
-        const std::string name = path.stem().string() + (gif ? ".turntable.gif" : ".turntable.png");
-        asked.turntable = {path.parent_path() / name, settings.turntableMilliseconds,
-                           settings.magnify};
-    }
     return asked;
 }
 

@@ -22,6 +22,8 @@ class SheetDialog {
     void finishWork() { maker_.finish(); }
     // What it says of the sheet: how many sprites it has, or why there is none.
     [[nodiscard]] std::string said() const;
+    // What it says of the file: why the name cannot be used, or what has to be agreed to first.
+    [[nodiscard]] const std::string& saysOfFile() const { return problem_; }
     // Draws it while it is open and nothing lies over it; what shall be written, in the frame in
     // which that was asked for.
     [[nodiscard]] std::optional<SheetExport> draw(Ui& ui);
@@ -49,9 +51,9 @@ class SheetDialog {
     [[nodiscard]] std::optional<SheetExport> accept(Ui& ui);
 
     bool open_ = false;
-    std::string file_;                              // as typed
-    std::optional<std::filesystem::path> replace_;  // may be, the artist said
-    std::string problem_;                           // of the file's name
+    std::string file_;                            // as typed
+    std::vector<std::filesystem::path> replace_;  // may be, the artist said
+    std::string problem_;                         // of the file's name
     std::optional<Asked> asked_;
     std::string wrong_;  // with the settings
     SheetMaker maker_;

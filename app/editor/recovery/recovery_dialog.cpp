@@ -5,8 +5,8 @@
 
 #include "app/editor/panels/dialog_frame.h"
 #include "app/editor/panels/number_text.h"
+#include "app/editor/panels/picture_tile.h"
 #include "app/editor/panels/widgets.h"
-#include "app/editor/window/imgui_texture.h"
 #include "core/io/png.h"
 
 namespace voxprite::editor {
@@ -29,24 +29,6 @@ std::string ageOf(std::int64_t unixSeconds) {
     return counted(age / 86400, "day") + " ago";
 }
 
-void picture(const Theme& theme, const PictureTexture& texture) {
-    const float edge = theme.px(kTile);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(at, {at.x + edge, at.y + edge}, theme.field, theme.px(6));
-    ImGui::Dummy({edge, edge});
-    if (texture.width() == 0) return;
-    // Whole screen pixels a pixel where there is room, so that the sprite stays crisp.
-    const auto largest = static_cast<float>(std::max(texture.width(), texture.height()));
-    const float fit = (edge - theme.px(8)) / largest;
-    const float scale = fit >= 1.0f ? std::floor(fit) : fit;
-    const ImVec2 size(static_cast<float>(texture.width()) * scale,
-                      static_cast<float>(texture.height()) * scale);
-    const ImVec2 corner(std::floor(at.x + (edge - size.x) * 0.5f),
-                        std::floor(at.y + (edge - size.y) * 0.5f));
-    list.AddImage(imguiTexture(texture.id()), corner, {corner.x + size.x, corner.y + size.y});
-}
-
 }  // namespace
 
 void RecoveryDialog::offer(std::vector<LostWork> works) {
@@ -64,7 +46,8 @@ RecoveryDialog::Answer RecoveryDialog::drawOne(Ui& ui, const Offered& offered) {
     const Theme& theme = ui.theme;
     const LostWork& work = offered.work;
     Answer answer = Answer::none;
-    picture(theme, offered.picture);
+    drawPictureTile(theme, ImGui::GetCursorScreenPos(), theme.px(kTile), offered.picture);
+    ImGui::Dummy(theme.px(kTile, kTile));
     ImGui::SameLine(0.0f, theme.px(kGap));
     ImGui::BeginGroup();
     ImGui::PushFont(theme.fonts.bold);

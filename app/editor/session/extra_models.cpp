@@ -13,13 +13,21 @@ namespace {
 // More of an animation than this is not kept beside the edited model.
 constexpr int kMostFrames = 64;
 
-Result<ExtraModel> load(const std::filesystem::path& file) {
-    Result<LoadedDocument> loaded = loadDocument(file);
+Result<ExtraModel> load(const ExtraModelChoice& choice) {
+    const std::filesystem::path& file = choice.file;
+    ReadOptions options;
+    options.entity = choice.entity;
+    Result<LoadedDocument> loaded = loadDocument(file, options);
     if (!loaded) return Failure(loaded.error());
     const Document& document = loaded->document;
+    // Files are exported anew: better none than another one.
+    if (choice.entity && document.entity.name != choice.entityName) {
+        return failInFile(file.string(), "holds \"" + document.entity.name + "\" where \"" +
+                                             choice.entityName + "\" was; choose it anew");
+    }
     ExtraModel model;
-    model.file = file;
-    model.name = file.stem().string();
+    model.choice = choice;
+    model.name = choice.entity ? choice.entityName : file.stem().string();
     model.palette = document.palette;
     model.entity = document.entity;
     model.bounds = entityBounds(document);
@@ -35,8 +43,8 @@ Result<ExtraModel> load(const std::filesystem::path& file) {
     return model;
 }
 
-bool chosen(const std::vector<ExtraModelChoice>& choices, const std::filesystem::path& file) {
-    return std::ranges::find(choices, file, &ExtraModelChoice::file) != choices.end();
+bool among(const std::vector<ExtraModelChoice>& choices, const ExtraModelChoice& one) {
+    return std::ranges::any_of(choices, [&](const auto& choice) { return choice.names(one); });
 }
 
 }  // namespace
@@ -49,31 +57,32 @@ const GpuOctree& ExtraModel::at(double seconds) const {
 
 std::vector<Error> ExtraModels::follow(const std::vector<ExtraModelChoice>& choices) {
     std::vector<Error> errors;
-    if (std::erase_if(models_, [&](const auto& m) { return !chosen(choices, m.file); }) > 0) {
+    if (std::erase_if(models_, [&](const auto& m) { return !among(choices, m.choice); }) > 0) {
         ++revision_;
     }
-    std::erase_if(failed_, [&](const auto& file) { return !chosen(choices, file); });
+    std::erase_if(failed_, [&](const auto& choice) { return !among(choices, choice); });
     for (const ExtraModelChoice& choice : choices) {
-        if (find(choice.file) != nullptr || failed(choice.file)) continue;
-        Result<ExtraModel> model = load(choice.file);
+        if (find(choice) != nullptr || failed(choice)) continue;
+        Result<ExtraModel> model = load(choice);
         if (model) {
             models_.push_back(std::move(*model));
             ++revision_;
         } else {
             errors.push_back(model.error());
-            failed_.push_back(choice.file);
+            failed_.push_back(choice);
         }
     }
     return errors;
 }
 
-const ExtraModel* ExtraModels::find(const std::filesystem::path& file) const {
-    const auto found = std::ranges::find(models_, file, &ExtraModel::file);
+const ExtraModel* ExtraModels::find(const ExtraModelChoice& choice) const {
+    const auto found =
+        std::ranges::find_if(models_, [&](const auto& m) { return m.choice.names(choice); });
     return found != models_.end() ? &*found : nullptr;
 }
 
-bool ExtraModels::failed(const std::filesystem::path& file) const {
-    return std::ranges::find(failed_, file) != failed_.end();
+bool ExtraModels::failed(const ExtraModelChoice& choice) const {
+    return among(failed_, choice);
 }
 
 bool ExtraModels::animated() const {

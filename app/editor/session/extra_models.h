@@ -17,7 +17,7 @@
 namespace voxprite::editor {
 
 struct ExtraModel {
-    std::filesystem::path file;
+    ExtraModelChoice choice;  // that it is of
     std::string name;
     Palette palette;
     Entity entity;
@@ -36,8 +36,8 @@ class ExtraModels {
     // window's GL context.
     [[nodiscard]] std::vector<Error> follow(const std::vector<ExtraModelChoice>& chosen);
     // Null while the choice is not loaded. Valid until the next follow().
-    [[nodiscard]] const ExtraModel* find(const std::filesystem::path& file) const;
-    [[nodiscard]] bool failed(const std::filesystem::path& file) const;
+    [[nodiscard]] const ExtraModel* find(const ExtraModelChoice& choice) const;
+    [[nodiscard]] bool failed(const ExtraModelChoice& choice) const;
     // Rises with every model that came or went.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
     // Some model has an animation.
@@ -45,7 +45,7 @@ class ExtraModels {
 
   private:
     std::deque<ExtraModel> models_;
-    std::vector<std::filesystem::path> failed_;
+    std::vector<ExtraModelChoice> failed_;
     std::uint64_t revision_ = 0;
 };
 

@@ -18,14 +18,11 @@ std::string formatName(const std::string& ending) {
     return format ? infoOf(*format).title : std::string();
 }
 
-std::string stemOf(const Session& session) {
-    return session.path() ? session.title() : "untitled";
-}
-
 }  // namespace
 
-void FileFlow::open(const std::filesystem::path& file) {
+void FileFlow::open(const std::filesystem::path& file, std::optional<std::size_t> entity) {
     waitingFile_ = file;
+    waitingEntity_ = entity;
     unlessUnsaved(Waiting::openFile);
 }
 
@@ -43,7 +40,7 @@ void FileFlow::saveAs() {
             .button = "Save",
             .saving = true,
             .extensions = writtenEndings(),
-            .name = stemOf(context_.session) + ".voxprite",
+            .name = context_.session.stem() + ".voxprite",
             .formatName = formatName,
             .losses = [this](const std::filesystem::path& path) { return lossesAt(path); },
             .replaced =
@@ -51,46 +48,6 @@ void FileFlow::saveAs() {
                     return replacedBySaving(path, context_.session.document());
                 }},
            [this](CommandContext&, const std::filesystem::path& path) { saveTo(path); });
-}
-
-void FileFlow::exportOctree() {
-    const Document& document = context_.session.document();
-    const int models = static_cast<int>(document.models.size()) - unusedModels(document);
-    std::vector<std::string> ways;
-    if (models > 1) ways = {"All as one sprite", "Each model by itself"};
-    browse({.title = "Export the octree for the game's runtime",
-            .button = "Export",
-            .saving = true,
-            .extensions = {".svo"},
-            .name = stemOf(context_.session) + ".svo",
-            .ways = std::move(ways),
-            .losses =
-                [this](const std::filesystem::path& path) {
-                    if (browser_.way() == 0) return lossesAt(path);
-                    return std::vector<std::string>{
-                        ".svo holds each model by itself: placements, frames and sockets are left "
-                        "out"};
-                }},
-           [this](CommandContext&, const std::filesystem::path& path) {
-               if (browser_.way() == 1) return exportModelsTo(path);
-               exportTo(path);
-           });
-}
-
-void FileFlow::exportSheet(SheetExport asked) {
-    const std::string name = asked.output.filename().string();
-    const auto shared = std::make_shared<const SheetExport>(std::move(asked));
-    const auto writing = [this, shared, name](JobProgress& progress) -> BackgroundJob::Done {
-        const Result<std::size_t> written = writeSheet(*shared, progress);
-        return [this, written, name] {
-            const Status done = written ? Status() : Failure(written.error());
-            if (tell(done, {})) {
-                context_.toasts.info("Exported " + name + " and " + std::to_string(*written - 1) +
-                                     (*written == 2 ? " file beside it" : " files beside it"));
-            }
-        };
-    };
-    static_cast<void>(tell(work("Exporting " + name, writing), {}));
 }
 
 void FileFlow::openProfile() {
@@ -136,6 +93,7 @@ void FileFlow::draw(Ui& ui) {
     }
     const std::filesystem::path mesh = import_.file();
     if (import_.draw(ui) == ImportDialog::Answer::import) readNow(mesh, import_.chosen());
+    if (const auto answer = entities_.draw(ui)) afterEntities(*answer);
     static_cast<void>(step_.finish());
     static_cast<void>(job_.finish());
     followDrag();
@@ -289,22 +247,27 @@ void FileFlow::goOn() {
         case Waiting::openDialog:
             return browse(
                 {.title = "Open a model", .button = "Open", .extensions = modelEndings()},
-                [this](CommandContext&, const std::filesystem::path& path) { openNow(path); });
+                [this](CommandContext&, const std::filesystem::path& path) { openNow(path, {}); });
         case Waiting::openFile:
-            return openNow(waitingFile_);
+            return openNow(waitingFile_, waitingEntity_);
         case Waiting::quit:
             quits_ = true;
     }
 }
 
-void FileFlow::openNow(const std::filesystem::path& path) {
+void FileFlow::openNow(const std::filesystem::path& path, std::optional<std::size_t> entity) {
     const Result<Format> format = formatOf(path);
     if (format && !infoOf(*format).keepsVoxels) return import_.open(path);
-    readNow(path, {});
+    ReadOptions options;
+    options.entity = entity;
+    readNow(path, options);
 }
 
 void FileFlow::readNow(const std::filesystem::path& path, const ReadOptions& options) {
     const auto opening = [this, path, options](JobProgress& progress) -> BackgroundJob::Done {
+        if (!options.entity) {
+            if (auto asks = askedFirst(path, EntityDialog::Asks::one)) return *asks;
+        }
         // Shared, as what a job leaves behind can be copied.
         const auto opened =
             std::make_shared<Result<Session::Opened>>(Session::read(path, &progress, options));
@@ -318,6 +281,35 @@ void FileFlow::readNow(const std::filesystem::path& path, const ReadOptions& opt
         };
     };
     if (tell(work("Opening " + path.filename().string(), opening), {})) blocks_ = true;
+}
+
+std::optional<BackgroundJob::Done> FileFlow::askedFirst(const std::filesystem::path& path,
+                                                        EntityDialog::Asks asks) {
+    const auto set = std::make_shared<Result<std::vector<SvoFile>>>(severalEntities(path));
+    if (*set && (*set)->empty()) return std::nullopt;
+    return [this, path, asks, set] {
+        if (!*set) return context_.dialogs.showError(set->error().describe());
+        entities_.open(path, std::move(**set), asks);
+    };
+}
+
+void FileFlow::addToScene(const std::filesystem::path& file) {
+    const auto looking = [this, file](JobProgress& progress) -> BackgroundJob::Done {
+        progress.enter("Reading the file", 0.0);
+        if (auto asks = askedFirst(file, EntityDialog::Asks::some)) return *asks;
+        return [this, file] { context_.settings.scene.add({.file = file}); };
+    };
+    if (tell(work("Reading " + file.filename().string(), looking), {})) blocks_ = true;
+}
+
+void FileFlow::afterEntities(const EntityDialog::Answer& answer) {
+    for (const auto& [index, name] : answer.entities) {
+        if (answer.asks == EntityDialog::Asks::some) {
+            context_.settings.scene.add({answer.file, true, index, name});
+        } else {
+            openNow(answer.file, index);
+        }
+    }
 }
 
 void FileFlow::write(std::string title, const std::filesystem::path& path,
@@ -351,38 +343,6 @@ void FileFlow::write(std::string title, const std::filesystem::path& path,
     afterCancel_ = [this, saving] { context_.session.endSaving(*saving, fail("cancelled")); };
 }
 
-void FileFlow::exportTo(const std::filesystem::path& path) {
-    const std::string name = path.filename().string();
-    write("Exporting " + name, path, [this, path, name] {
-        tellLosses(path);
-        context_.toasts.info("Exported and verified " + name);
-    });
-}
-
-void FileFlow::exportModelsTo(const std::filesystem::path& path) {
-    const std::string name = path.filename().string();
-    const auto writing = [this, path, name, document = context_.session.snapshot(),
-                          profile = context_.session.profile(), stem = stemOf(context_.session)](
-                             JobProgress& progress) -> BackgroundJob::Done {
-        progress.enter("Writing", 0.0);
-        const Document shown = withoutUnusedModels(*document);
-        const std::vector<SetMember> members = modelsOneByOne(shown, profile, stem);
-        const Result<Bytes> bytes = exportSvoSet(members);
-        Status done;
-        if (!bytes) {
-            done = Failure(bytes.error());
-        } else if (!progress.stopToken().stop_requested()) {
-            done = writeFileAtomically(path, *bytes);
-        }
-        return [this, path, name, done, count = members.size()] {
-            if (!tell(inFile(Status(done), path.string()), {})) return;
-            context_.toasts.info("Exported and verified " + std::to_string(count) + " models as " +
-                                 name);
-        };
-    };
-    static_cast<void>(tell(work("Exporting " + name, writing), {}));
-}
-
 void FileFlow::saveTo(const std::filesystem::path& path) {
     const std::string name = path.filename().string();
     write("Saving " + name, path, [this, path, name] {
@@ -393,16 +353,6 @@ void FileFlow::saveTo(const std::filesystem::path& path) {
         if (context_.session.unsaved()) waiting_ = Waiting::none;
         goOn();
     });
-}
-
-std::vector<std::string> FileFlow::lossesAt(const std::filesystem::path& path) const {
-    const Result<Format> format = formatOf(path);
-    if (!format) return {};
-    return lossesOf(context_.session.document(), *format);
-}
-
-void FileFlow::tellLosses(const std::filesystem::path& path) {
-    for (std::string& loss : lossesAt(path)) context_.toasts.info(std::move(loss));
 }
 
 bool FileFlow::tell(const Status& done, const std::string& news) {

@@ -10,6 +10,7 @@
 
 #include "app/editor/commands/command_context.h"
 #include "app/editor/panels/dialogs.h"
+#include "app/editor/panels/entity_dialog.h"
 #include "app/editor/panels/file_browser.h"
 #include "app/editor/panels/import_dialog.h"
 #include "app/editor/session/background_job.h"
@@ -24,7 +25,11 @@ class FileFlow {
 
     void startNew() { unlessUnsaved(Waiting::startNew); }
     void open() { unlessUnsaved(Waiting::openDialog); }
-    void open(const std::filesystem::path& file);
+    // Of a file with several entities that one, if it is given; else it asks.
+    void open(const std::filesystem::path& file, std::optional<std::size_t> entity = {});
+    // A model of another file into the scene around the edited one; of a file with several entities
+    // it asks for some.
+    void addToScene(const std::filesystem::path& file);
     void save();
     void saveAs();
     // As one sprite, or each model as one, all in one file.
@@ -69,6 +74,8 @@ class FileFlow {
     [[nodiscard]] const std::string& browserSays() const { return browser_.says(); }
     // Asks what voxels a mesh shall become.
     [[nodiscard]] bool isImporting() const { return import_.isOpen(); }
+    // Asks which of a file's entities are meant.
+    [[nodiscard]] const EntityDialog& entities() const { return entities_; }
 
     [[nodiscard]] bool quits() const { return quits_; }
     // Is another document open than at the last call?
@@ -81,9 +88,14 @@ class FileFlow {
     void afterUnsavedQuestion(UnsavedAnswer answer);
     void afterChangedQuestion(ChangedAnswer answer);
     void goOn();
-    // Of a mesh it asks first what voxels it shall become.
-    void openNow(const std::filesystem::path& path);
+    // Of a mesh it asks first what voxels it shall become, of several entities which one is meant.
+    void openNow(const std::filesystem::path& path, std::optional<std::size_t> entity);
     void readNow(const std::filesystem::path& path, const ReadOptions& options);
+    // On the job's thread: what follows if the file has several entities, or is a damaged one of
+    // these; else nothing.
+    [[nodiscard]] std::optional<BackgroundJob::Done> askedFirst(const std::filesystem::path& path,
+                                                                EntityDialog::Asks asks);
+    void afterEntities(const EntityDialog::Answer& answer);
     void saveTo(const std::filesystem::path& path);
     void exportTo(const std::filesystem::path& path);
     void exportModelsTo(const std::filesystem::path& path);
@@ -101,6 +113,7 @@ class FileFlow {
     CommandContext& context_;
     FileBrowser browser_;
     ImportDialog import_;
+    EntityDialog entities_;
     Chosen chosen_;
     BackgroundJob step_;
     BackgroundJob job_;
@@ -110,6 +123,7 @@ class FileFlow {
     Waiting waiting_ = Waiting::none;
     Waiting afterJob_ = Waiting::none;  // until the job has ended
     std::filesystem::path waitingFile_;
+    std::optional<std::size_t> waitingEntity_;
     bool quits_ = false;
     bool replaced_ = false;
     BackgroundJob drag_;

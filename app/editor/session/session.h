@@ -143,7 +143,7 @@ class Session {
     [[nodiscard]] static PlacedEntity placedForEditing(const IBox& box);
 
     [[nodiscard]] Status startNew();
-    [[nodiscard]] Status open(const std::filesystem::path& path);
+    [[nodiscard]] Status open(const std::filesystem::path& path, const ReadOptions& options = {});
     // In any format, by the ending. Only the native format makes the document saved under
     // that name; the others are exports.
     [[nodiscard]] Status saveAs(const std::filesystem::path& path);
@@ -163,6 +163,7 @@ class Session {
         LoadedDocument loaded;
         Derived derived;
         std::optional<FileStamp> stamp;  // of the file as it was read
+        std::string entityTitle{};       // of one of several entities in the file; else empty
     };
     [[nodiscard]] static Result<Opened> read(const std::filesystem::path& path,
                                              JobProgress* progress = nullptr,
@@ -199,7 +200,10 @@ class Session {
     [[nodiscard]] bool hasNativePath() const;
     // Does its file hold, by now, what another program wrote? (One that is gone holds nothing.)
     [[nodiscard]] bool changedOutside() const;
-    [[nodiscard]] std::string title() const;  // "hut", or "Untitled"
+    // "hut", or "Untitled"; of one of several entities in a file that one's name.
+    [[nodiscard]] std::string title() const;
+    // What files that are made of the document are called at first: title(), or "untitled".
+    [[nodiscard]] std::string stem() const { return path_ ? title() : "untitled"; }
     [[nodiscard]] bool unsaved() const { return !history_.isSaved(); }
     [[nodiscard]] bool profileUnsaved() const { return savedProfile_ != workspace_.profile; }
     // What was odd about the file last opened.
@@ -247,6 +251,7 @@ class Session {
 
     std::optional<std::filesystem::path> path_;
     std::optional<FileStamp> stamp_;  // of the file there when it was last read or written here
+    std::string entityTitle_;         // of one of several entities in the file there; else empty
     std::optional<std::filesystem::path> profilePath_;
     GameProfile savedProfile_;
     std::vector<std::string> warnings_;

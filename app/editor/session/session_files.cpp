@@ -7,8 +7,31 @@
 #include "core/edit/unused_models.h"
 #include "core/io/formats.h"
 #include "core/io/profile_json.h"
+#include "core/io/svo_set.h"
 
 namespace voxprite::editor {
+namespace {
+
+constexpr std::size_t kLongestTitle = 80;  // bytes
+
+// What a file can be called, too.
+std::string titleOfEntity(const std::string& name, const std::string& otherwise) {
+    std::string title = name.substr(0, kLongestTitle);
+    // No half of a character at the end.
+    if (title.size() < name.size()) {
+        while (!title.empty() && (static_cast<unsigned char>(name[title.size()]) & 0xC0) == 0x80) {
+            title.pop_back();
+        }
+    }
+    for (char& c : title) {
+        const bool apart = c == '/' || c == '\\' || c == ':';
+        if (apart || static_cast<unsigned char>(c) < 0x20) c = '_';
+    }
+    if (title.starts_with('.')) title[0] = '_';
+    return title.empty() ? otherwise : title;
+}
+
+}  // namespace
 
 void Session::adopt(Document document, Derived derived) {
     workspace_.document = std::move(document);
@@ -29,6 +52,7 @@ Status Session::startNew() {
     if (!derived) return Failure(derived.error());
     adopt(std::move(empty), std::move(*derived));
     path_.reset();
+    entityTitle_.clear();
     return {};
 }
 
@@ -42,7 +66,12 @@ Result<Session::Opened> Session::read(const std::filesystem::path& path, JobProg
     if (progress != nullptr) progress->enter("Building the octree", 0.5);
     Result<Derived> derived = derive(loaded->document, 0);
     if (!derived) return inFile(Result<Opened>(Failure(derived.error())), path.string());
-    return Opened{path, std::move(*loaded), std::move(*derived), stamp};
+    std::string title;
+    if (options.entity && loaded->format == Format::svo && entitiesAt(path) > 1) {
+        title = titleOfEntity(loaded->document.entity.name,
+                              path.stem().string() + " " + std::to_string(*options.entity));
+    }
+    return Opened{path, std::move(*loaded), std::move(*derived), stamp, std::move(title)};
 }
 
 void Session::adopt(Opened opened) {
@@ -50,6 +79,7 @@ void Session::adopt(Opened opened) {
     adopt(std::move(opened.loaded.document), std::move(opened.derived));
     path_ = std::move(opened.path);
     stamp_ = opened.stamp;
+    entityTitle_ = std::move(opened.entityTitle);
     warnings_ = std::move(opened.loaded.warnings);
     // A game's profile wins over what the file was made with; the built-in one stands for no game.
     const Format format = opened.loaded.format;
@@ -60,8 +90,8 @@ void Session::adopt(Opened opened) {
     }
 }
 
-Status Session::open(const std::filesystem::path& path) {
-    Result<Opened> opened = read(path);
+Status Session::open(const std::filesystem::path& path, const ReadOptions& options) {
+    Result<Opened> opened = read(path, nullptr, options);
     if (!opened) return Failure(opened.error());
     adopt(std::move(*opened));
     return {};
@@ -75,6 +105,9 @@ Status Session::recover(const std::filesystem::path& document, const GameProfile
     workspace_.profile = profile;
     path_ = file;
     stamp_ = file ? stampOf(*file) : std::nullopt;
+    if (file && entitiesAt(*file) > 1) {
+        entityTitle_ = titleOfEntity(workspace_.document.entity.name, file->stem().string());
+    }
     history_.markUnsaved();
     return {};
 }
@@ -108,6 +141,7 @@ void Session::endSaving(const Saving& saving, const Written& written) {
     }
     path_ = saving.path;
     stamp_ = *written;
+    entityTitle_.clear();
     if (!profilePath_) savedProfile_ = saving.profile;
 }
 
@@ -153,6 +187,7 @@ bool Session::changedOutside() const {
 }
 
 std::string Session::title() const {
+    if (!entityTitle_.empty()) return entityTitle_;
     return path_ ? path_->stem().string() : "Untitled";
 }
 

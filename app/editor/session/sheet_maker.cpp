@@ -103,7 +103,8 @@ Result<std::size_t> writeSheet(const SheetExport& asked, JobProgress& progress) 
         *sheet, *request.document, request.profile, request.options, asked.output, asked.turntable);
     if (!files) return Failure(files.error());
     if (progress.stopToken().stop_requested()) return fail("cancelled");
-    if (Status written = writeSheetFiles(*files); !written) return Failure(written.error());
+    // Whatever is replaced has been agreed to.
+    if (Status written = writeSheetFiles(*files, true); !written) return Failure(written.error());
     return files->size();
 }
 

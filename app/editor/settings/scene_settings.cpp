@@ -42,11 +42,22 @@ RepresentationSettings representationSettingsFrom(const Json& json) {
 
 }  // namespace
 
+void SceneSettings::add(const ExtraModelChoice& extra) {
+    std::erase_if(extras, [&](const auto& old) { return old.names(extra) && !old.used; });
+    if (std::ranges::none_of(extras, [&](const auto& old) { return old.names(extra); })) {
+        extras.push_back(extra);
+    }
+    if (copies.pattern == CopyPattern::none) copies.pattern = CopyPattern::crowd;
+}
+
 Json toJson(const SceneSettings& settings) {
     const CopySettings& copies = settings.copies;
     Json extras = Json::array();
     for (const ExtraModelChoice& extra : settings.extras) {
-        extras.push_back({{"file", extra.file.string()}, {"used", extra.used}});
+        Json& json = extras.emplace_back();
+        json = {{"file", extra.file.string()}, {"used", extra.used}};
+        if (extra.entity) json["entity"] = *extra.entity;
+        if (extra.entity) json["entity_name"] = extra.entityName;
     }
     return {{"pattern", static_cast<int>(copies.pattern)},
             {"copies", copies.count},
@@ -73,7 +84,12 @@ SceneSettings sceneSettingsFrom(const Json& json) {
     copies.seed = json.value("seed", copies.seed);
     copies.editedUsed = json.value("edited_used", copies.editedUsed);
     for (const Json& extra : json.value("extras", Json::array())) {
-        settings.extras.push_back({extra.value("file", std::string()), extra.value("used", true)});
+        ExtraModelChoice& choice = settings.extras.emplace_back();
+        choice.file = extra.value("file", std::string());
+        choice.used = extra.value("used", true);
+        if (!extra.contains("entity")) continue;
+        choice.entity = extra.value("entity", std::size_t{0});
+        choice.entityName = extra.value("entity_name", std::string());
     }
     settings.pace = std::clamp(json.value("pace", settings.pace), 0.0, 10.0);
     settings.everyFrame = json.value("every_frame", settings.everyFrame);

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "app/editor/settings/representation_settings.h"
@@ -39,6 +41,13 @@ struct CopySettings {
 struct ExtraModelChoice {
     std::filesystem::path file;
     bool used = true;
+    // Of a file with several entities: which one, and what it was called when it was chosen.
+    std::optional<std::size_t> entity{};
+    std::string entityName{};
+
+    [[nodiscard]] bool names(const ExtraModelChoice& other) const {
+        return file == other.file && entity == other.entity;
+    }
     bool operator==(const ExtraModelChoice&) const = default;
 };
 
@@ -51,6 +60,9 @@ struct SceneSettings {
     int pictureScale = 1;
     SigmaComparison comparison;
     RepresentationSettings representations;
+
+    // One more extra model, in use, and copies to be seen of it; no second time.
+    void add(const ExtraModelChoice& extra);
     bool operator==(const SceneSettings&) const = default;
 };
 

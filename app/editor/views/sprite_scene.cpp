@@ -33,7 +33,7 @@ std::vector<Error> SpriteScene::follow(const Session& session, const SceneSettin
          settings.copies.editedUsed}};
     subjects_ = {nullptr};
     for (const ExtraModelChoice& choice : settings.extras) {
-        const ExtraModel* extra = wanted ? extras_.find(choice.file) : nullptr;
+        const ExtraModel* extra = wanted ? extras_.find(choice) : nullptr;
         if (extra == nullptr) continue;
         subjects_.push_back(extra);
         subjects.push_back(
