@@ -192,7 +192,7 @@ Status Editor::run() {
 // model is refused before. Which entity of several is meant is asked in the window.
 Status openFirst(App& app, const EditorOptions& options, bool automatic) {
     const std::filesystem::path& file = options.files.front();
-    const bool asks = !options.entity && entitiesAt(file) > 1;
+    const bool asks = automatic && !options.entity && entitiesAt(file) > 1;
     if (automatic && !asks) return app.openAtStart(file, options.entity);
     if (const Result<Format> format = formatOf(file); !format) return Failure(format.error());
     std::error_code unknown;

@@ -50,8 +50,9 @@ class Source {
         const auto wanted = answer("XdndStatus");
         if (!wanted || (wanted->data.data32[1] & 1) == 0) return false;
         say("XdndDrop", {window_, 0, XCB_CURRENT_TIME, 0, 0});
+        // GLFW says how many bytes it took where others say 1.
         const auto taken = answer("XdndFinished");
-        return taken && (taken->data.data32[1] & 1) != 0;
+        return taken && taken->data.data32[1] != 0;
     }
 
   private:

@@ -47,7 +47,7 @@ class EntitiesInAWindow : public EditorWindow {
         });
     }
     void name(const std::string& path) {
-        static_cast<void>(centreOf("browser.name"));
+        click(centreOf("browser.name"));
         key("ctrl+a");
         type(path);
     }

@@ -83,7 +83,7 @@ TEST_F(SheetInAWindow, WritesWhatTheCommandLineWrites) {
     click(centreOf("sheet.turntable"));
     click(centreOf("sheet.normals"));
     std::filesystem::remove(file("hand.png"));
-    write("sheet.file", file("other/../hand.png").string());
+    write("sheet.file", file("typed/../hand.png").string());
     click(centreOf("sheet.export"));
     asks("hand.json exists. Press again to replace it");
     key("Escape");
