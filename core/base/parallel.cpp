@@ -5,8 +5,6 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <algorithm>
-
 namespace voxprite {
 
 void parallelFor(int count, int threads, const std::function<void(int first, int last)>& body) {
@@ -15,14 +13,19 @@ void parallelFor(int count, int threads, const std::function<void(int first, int
         body(0, count);
         return;
     }
-    // TBB has no more workers than cores and would complain about a request for them.
-    const int all = hardwareThreads();
-    tbb::task_arena arena(threads > 0 ? std::min(threads, all) : all);
-    arena.execute([&] {
+    const auto spread = [&] {
         tbb::parallel_for(
             tbb::blocked_range<int>(0, count),
             [&](const tbb::blocked_range<int>& range) { body(range.begin(), range.end()); });
-    });
+    };
+    if (threads <= 0 || threads >= hardwareThreads()) {
+        // In the arena that the calling thread has anyway: its workers are still awake from the
+        // last call, where those of a new arena wake up when a millisecond's work is done.
+        // Isolated: who waits takes up no work from outside.
+        tbb::this_task_arena::isolate(spread);
+    } else {
+        tbb::task_arena(threads).execute(spread);
+    }
 }
 
 int hardwareThreads() {

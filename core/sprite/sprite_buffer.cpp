@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <memory>
 
 #include "core/base/bytes.h"
 #include "core/base/hash.h"
-#include "core/base/parallel.h"
 #include "core/sprite/sprite_outline.h"
-#include "core/trace/packet_caster.h"
+#include "core/trace/picture_packets.h"
 
 namespace voxprite {
 
@@ -108,17 +106,12 @@ SpriteBuffer castSprite(const OctreeView& octree, const LatticeView& lattice, co
     buffer.ids.assign(area(buffer.size), kIdEmpty);
     PixelBits opaque(buffer.size);
     const PacketCaster caster(octree, lattice);
-    constexpr int kEdge = PacketHits::kEdge;
-    const glm::ivec2 packets = (buffer.size + (kEdge - 1)) / kEdge;
-    parallelFor(packets.x * packets.y, threads, [&](int firstPacket, int lastPacket) {
-        const auto hits = std::make_unique_for_overwrite<PacketHits>();
-        PacketPainter painter(octree, lattice, lit, buffer, opaque);
-        for (int packet = firstPacket; packet < lastPacket; ++packet) {
-            const glm::ivec2 corner{packet % packets.x * kEdge, packet / packets.x * kEdge};
-            const glm::ivec2 size = glm::min(buffer.size - corner, glm::ivec2(kEdge));
-            caster.cast(lattice.first + corner, size, *hits);
-            painter.paint(*hits, corner, size.y);
-        }
+    forEachPacket<PacketHits>(buffer.size, threads, [&] {
+        return [&, painter = PacketPainter(octree, lattice, lit, buffer, opaque)](
+                   glm::ivec2 corner, glm::ivec2 size, PacketHits& hits) mutable {
+            caster.cast(lattice.first + corner, size, hits);
+            painter.paint(hits, corner, size.y);
+        };
     });
     if (lit.outline.enabled) drawOutline(opaque, lit.outline.colour, buffer);
     return buffer;

@@ -38,6 +38,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
@@ -62,6 +63,15 @@ class PacketHits {
         LatticeHit hit = voxels[entry >> 2];
         hit.faceAxis = entry & 3;
         return hit;
+    }
+
+    // onHit(column, row) for every pixel that was hit in so many rows.
+    template <class OnHit>
+    void forEachHit(int rowCount, const OnHit& onHit) const {
+        for (int row = 0; row < rowCount; ++row)
+            for (std::uint64_t bits = rows[static_cast<std::size_t>(row)]; bits != 0;
+                 bits &= bits - 1)
+                onHit(std::countr_zero(bits), row);
     }
 
     // Nothing is hit in so many rows.

@@ -1,18 +1,15 @@
 #include "core/trace/ray_packet.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vector_relational.hpp>
-#include <limits>
-#include <memory>
 #include <optional>
 #include <vector>
 
-#include "core/base/parallel.h"
+#include "core/trace/picture_packets.h"
 #include "core/trace/ray_walk.h"
 
 namespace voxprite {
@@ -229,27 +226,18 @@ template <class MakeCastPacket, class RayAt>
 void castPicture(const OctreeView& octree, glm::ivec2 size, int maxDepth, int threads,
                  const MakeCastPacket& makeCastPacket, const RayAt& rayAt,
                  const std::function<OnRaycastHit()>& eachHit) {
-    constexpr int kEdge = PacketHits::kEdge;
-    const glm::ivec2 packets = (size + (kEdge - 1)) / kEdge;
-    parallelFor(packets.x * packets.y, threads, [&](int firstPacket, int lastPacket) {
-        const OnRaycastHit onHit = eachHit();
-        const auto hits = std::make_unique_for_overwrite<RayPacketHits>();
-        auto castPacket = makeCastPacket();
-        for (int packet = firstPacket; packet < lastPacket; ++packet) {
-            const glm::ivec2 first{packet % packets.x * kEdge, packet / packets.x * kEdge};
-            const glm::ivec2 part = glm::min(size - first, glm::ivec2(kEdge));
-            castPacket(first, part, *hits);
-            for (int row = 0; row < part.y; ++row)
-                for (std::uint64_t bits = hits->rows[static_cast<std::size_t>(row)]; bits != 0;
-                     bits &= bits - 1) {
-                    const int column = std::countr_zero(bits);
-                    const glm::ivec2 pixel = first + glm::ivec2(column, row);
-                    const Ray ray = rayAt(pixel);
-                    onHit(pixel, ray,
-                          raycastHit(octree, ray, quantiseRay(octree, ray, maxDepth),
-                                     hits->at(column, row)));
-                }
-        }
+    forEachPacket<RayPacketHits>(size, threads, [&] {
+        return [&, onHit = eachHit(), castPacket = makeCastPacket()](
+                   glm::ivec2 first, glm::ivec2 part, RayPacketHits& hits) mutable {
+            castPacket(first, part, hits);
+            hits.forEachHit(part.y, [&](int column, int row) {
+                const glm::ivec2 pixel = first + glm::ivec2(column, row);
+                const Ray ray = rayAt(pixel);
+                onHit(pixel, ray,
+                      raycastHit(octree, ray, quantiseRay(octree, ray, maxDepth),
+                                 hits.at(column, row)));
+            });
+        };
     });
 }
 

@@ -6,12 +6,10 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
-#include <memory>
 #include <span>
 #include <string_view>
 #include <tuple>
@@ -26,7 +24,7 @@
 #include "core/sprite/sprite_view.h"
 #include "core/sprite/voxel_placement.h"
 #include "core/trace/lattice_caster.h"
-#include "core/trace/packet_caster.h"
+#include "core/trace/picture_packets.h"
 #include "core/trace/ray_packet.h"
 #include "core/trace/raycast.h"
 
@@ -151,24 +149,15 @@ Caster scalarCaster(const OctreeView& octree) {
 
 // Packets over the picture: cast(first pixel, size, hits) casts one of them.
 template <class Hits, class Cast>
-void castPackets(glm::ivec2 size, int threads, Materials& hits, const Cast& cast) {
-    constexpr int kEdge = PacketHits::kEdge;
-    const glm::ivec2 packets = (size + (kEdge - 1)) / kEdge;
-    parallelFor(packets.x * packets.y, threads, [&](int first, int last) {
-        const auto met = std::make_unique_for_overwrite<Hits>();
-        for (int packet = first; packet < last; ++packet) {
-            const glm::ivec2 corner{packet % packets.x * kEdge, packet / packets.x * kEdge};
-            const glm::ivec2 part = glm::min(size - corner, glm::ivec2(kEdge));
-            cast(corner, part, *met);
-            for (int row = 0; row < part.y; ++row) {
-                const int start = (corner.y + row) * size.x + corner.x;
-                for (std::uint64_t bits = met->rows[static_cast<std::size_t>(row)]; bits != 0;
-                     bits &= bits - 1) {
-                    const int column = std::countr_zero(bits);
-                    hits[static_cast<std::size_t>(start + column)] = met->at(column, row).material;
-                }
-            }
-        }
+void castPackets(glm::ivec2 size, int threads, Materials& materials, const Cast& cast) {
+    forEachPacket<Hits>(size, threads, [&] {
+        return [&](glm::ivec2 first, glm::ivec2 part, Hits& hits) {
+            cast(first, part, hits);
+            hits.forEachHit(part.y, [&](int column, int row) {
+                const int at = (first.y + row) * size.x + first.x + column;
+                materials[static_cast<std::size_t>(at)] = hits.at(column, row).material;
+            });
+        };
     });
 }
 
