@@ -2,18 +2,14 @@
 
 #include <glad/gl.h>
 
-#include <atomic>
 #include <span>
 #include <vector>
+
+#include "render/revision.h"
 
 namespace voxprite {
 
 namespace {
-
-std::uint64_t nextRevision() {
-    static std::atomic<std::uint64_t> last{0};
-    return ++last;
-}
 
 constexpr unsigned kFaceBits = 3;  // of the last byte of a vertex; the level is above them
 

@@ -3,10 +3,11 @@
 #include <glad/gl.h>
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <string>
 #include <utility>
+
+#include "render/revision.h"
 
 namespace voxprite {
 
@@ -16,13 +17,6 @@ constexpr std::uint32_t kWidth = GpuOctree::kWidth;
 
 // Payloads are uploaded as they lie in memory: low word first.
 static_assert(std::endian::native == std::endian::little);
-
-// Equal numbers mean equal voxels whichever octree object they come from, so that a cache may go by
-// the number alone.
-std::uint64_t nextRevision() {
-    static std::atomic<std::uint64_t> last{0};
-    return ++last;
-}
 
 // With half as much room again.
 std::size_t roomy(std::size_t texels) {

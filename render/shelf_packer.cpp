@@ -7,17 +7,17 @@ namespace voxprite {
 namespace {
 
 // Heights of shelves grow in steps, so that sprites of nearly the same height share one.
-constexpr int kStep = 8;
+constexpr int kShelfStepPx = 8;
 
 int shelfHeight(int height) {
-    return (height + kStep - 1) / kStep * kStep;
+    return (height + kShelfStepPx - 1) / kShelfStepPx * kShelfStepPx;
 }
 
 // A shelf in use takes what leaves less than a step, or at most a third of its height, unused;
 // others only where there is no empty one.
 bool worthwhile(int shelfHeight, int height) {
     const int unused = shelfHeight - height;
-    return unused < kStep || 3 * unused <= shelfHeight;
+    return unused < kShelfStepPx || 3 * unused <= shelfHeight;
 }
 
 }  // namespace

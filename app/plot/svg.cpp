@@ -38,7 +38,7 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
-std::string colourOf(const Shape& shape) {
+std::string cssColourOf(const Shape& shape) {
     switch (shape.ink) {
         case Ink::ink:
             return "var(--ink)";
@@ -64,11 +64,11 @@ std::string polygon(const Shape& shape, std::initializer_list<glm::dvec2> corner
     for (const glm::dvec2 corner : corners) {
         points += (points.empty() ? "" : " ") + point(shape.a + corner * shape.size);
     }
-    return "<polygon points=\"" + points + "\" fill=\"" + colourOf(shape) + "\"";
+    return "<polygon points=\"" + points + "\" fill=\"" + cssColourOf(shape) + "\"";
 }
 
 std::string markOf(const Shape& shape) {
-    const std::string colour = colourOf(shape);
+    const std::string colour = cssColourOf(shape);
     switch (shape.mark) {
         case Mark::disc:
             return "<circle cx=\"" + number(shape.a.x) + "\" cy=\"" + number(shape.a.y) +
@@ -98,7 +98,7 @@ std::string svgOf(const Shape& shape) {
         case Shape::Kind::line:
             return "<line x1=\"" + number(shape.a.x) + "\" y1=\"" + number(shape.a.y) + "\" x2=\"" +
                    number(shape.b.x) + "\" y2=\"" + number(shape.b.y) + "\" stroke=\"" +
-                   colourOf(shape) + "\" stroke-width=\"" + number(shape.size) + "\"/>\n";
+                   cssColourOf(shape) + "\" stroke-width=\"" + number(shape.size) + "\"/>\n";
         case Shape::Kind::mark:
             return shape.text.empty()
                        ? markOf(shape) + "/>\n"
@@ -115,7 +115,7 @@ std::string svgOf(const Shape& shape) {
                                                           : "end";
     return "<text x=\"" + number(shape.a.x) + "\" y=\"" + number(shape.a.y) + "\" font-size=\"" +
            number(shape.size / kLettersOverSize) + "\" text-anchor=\"" + anchor + "\" fill=\"" +
-           colourOf(shape) + "\"" + (shape.bold ? " font-weight=\"600\"" : "") + ">" +
+           cssColourOf(shape) + "\"" + (shape.bold ? " font-weight=\"600\"" : "") + ">" +
            escaped(shape.text) + "</text>\n";
 }
 

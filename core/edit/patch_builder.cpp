@@ -15,11 +15,6 @@ const IBox kRange{glm::ivec3(-kMaxCoordinate), glm::ivec3(kMaxCoordinate + 1)};
 // Of solid cubes, 32 times what a patch may change.
 constexpr std::uint64_t kMaxCubes = std::uint64_t{1} << 21;
 
-const VoxelGrid& voxelsOf(const Document& document, int model) {
-    VOXPRITE_CHECK(model >= 0 && static_cast<std::size_t>(model) < document.models.size());
-    return document.models[static_cast<std::size_t>(model)].voxels;
-}
-
 bool comesBefore(glm::ivec3 a, glm::ivec3 b) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
 }
@@ -43,7 +38,7 @@ CubeBytes cubeBytes(const VoxelGrid& voxels, glm::ivec3 origin) {
 }
 
 PatchBuilder::PatchBuilder(const Document& document, int model, const EditLimits& limits)
-    : voxels_(voxelsOf(document, model)), model_(model), limits_(limits) {}
+    : voxels_(document.voxelsOf(model)), model_(model), limits_(limits) {}
 
 void PatchBuilder::set(glm::ivec3 origin, CubeBytes after) {
     Cube cube{origin, before(origin), after};

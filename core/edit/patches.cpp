@@ -8,11 +8,6 @@ namespace voxprite {
 
 namespace {
 
-const VoxelGrid& voxelsOf(const Document& document, int model) {
-    VOXPRITE_CHECK(model >= 0 && static_cast<std::size_t>(model) < document.models.size());
-    return document.models[static_cast<std::size_t>(model)].voxels;
-}
-
 std::uint8_t valueAfter(std::uint8_t before, EditMode mode, std::uint8_t value) {
     switch (mode) {
         case EditMode::attach:
@@ -43,7 +38,7 @@ void forEachPosition(const IBox& box, const Visit& visit) {
 VoxelPatch patchVoxels(const Document& document, int model, std::span<const glm::ivec3> positions,
                        EditMode mode, std::uint8_t value, const EditLimits& limits) {
     VoxelPatch patch{model, {}};
-    const VoxelGrid::Reader reader(voxelsOf(document, model));
+    const VoxelGrid::Reader reader(document.voxelsOf(model));
     for (const glm::ivec3 position : positions) {
         if (!isInVoxelRange(position) || !limits.allow(position)) continue;
         const std::uint8_t before = reader.get(position);
@@ -56,7 +51,7 @@ VoxelPatch patchVoxels(const Document& document, int model, std::span<const glm:
 VoxelPatch patchBox(const Document& document, int model, const IBox& requested, EditMode mode,
                     std::uint8_t value) {
     VoxelPatch patch{model, {}};
-    const VoxelGrid& voxels = voxelsOf(document, model);
+    const VoxelGrid& voxels = document.voxelsOf(model);
     const IBox box =
         requested.intersected({glm::ivec3(-kMaxCoordinate), glm::ivec3(kMaxCoordinate + 1)});
     const VoxelGrid::Reader reader(voxels);

@@ -13,11 +13,6 @@ namespace voxprite {
 
 namespace {
 
-const VoxelGrid& voxelsOf(const Document& document, int model) {
-    VOXPRITE_CHECK(model >= 0 && static_cast<std::size_t>(model) < document.models.size());
-    return document.models[static_cast<std::size_t>(model)].voxels;
-}
-
 Result<VoxelPatch> patchReshaped(const Document& document, int model,
                                  const Result<VoxelGrid>& after, const EditLimits& limits) {
     if (!after) return tl::unexpected(after.error());
@@ -37,37 +32,37 @@ Result<VoxelPatch> patchReplace(const Document& document, int model, const Voxel
 
 Result<VoxelPatch> patchRecolour(const Document& document, int model, std::uint8_t from,
                                  std::uint8_t to, const EditLimits& limits) {
-    const VoxelSet recoloured = voxelsOfColour(voxelsOf(document, model), from);
+    const VoxelSet recoloured = voxelsOfColour(document.voxelsOf(model), from);
     const EditMode mode = to == 0 ? EditMode::erase : EditMode::paint;
     return patchSet(document, model, recoloured, mode, to, limits);
 }
 
 Result<VoxelPatch> patchCrop(const Document& document, int model, const VoxelSet& keep) {
-    return patchSet(document, model, inverted(voxelsOf(document, model), keep), EditMode::erase, 0);
+    return patchSet(document, model, inverted(document.voxelsOf(model), keep), EditMode::erase, 0);
 }
 
 Result<VoxelPatch> patchHollow(const Document& document, int model, int wall,
                                const EditLimits& limits) {
-    return patchReshaped(document, model, hollowed(voxelsOf(document, model), wall), limits);
+    return patchReshaped(document, model, hollowed(document.voxelsOf(model), wall), limits);
 }
 
 Result<VoxelPatch> patchDilate(const Document& document, int model, int layers,
                                const EditLimits& limits) {
-    return patchReshaped(document, model, dilated(voxelsOf(document, model), layers), limits);
+    return patchReshaped(document, model, dilated(document.voxelsOf(model), layers), limits);
 }
 
 Result<VoxelPatch> patchErode(const Document& document, int model, int layers,
                               const EditLimits& limits) {
-    return patchReshaped(document, model, eroded(voxelsOf(document, model), layers), limits);
+    return patchReshaped(document, model, eroded(document.voxelsOf(model), layers), limits);
 }
 
 Result<VoxelPatch> patchSmooth(const Document& document, int model, int passes,
                                const EditLimits& limits) {
-    return patchReshaped(document, model, smoothed(voxelsOf(document, model), passes), limits);
+    return patchReshaped(document, model, smoothed(document.voxelsOf(model), passes), limits);
 }
 
 Result<VoxelPatch> patchTranslate(const Document& document, int model, glm::ivec3 byVoxels) {
-    const VoxelGrid& voxels = voxelsOf(document, model);
+    const VoxelGrid& voxels = document.voxelsOf(model);
     const IBox bounds = voxels.bounds();
     const bool tooFar = !isInVoxelRange(byVoxels) ||
                         (!bounds.empty() && (!isInVoxelRange(bounds.min + byVoxels) ||

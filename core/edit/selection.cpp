@@ -10,10 +10,6 @@ namespace voxprite {
 
 namespace {
 
-IBox boxOf(const VoxelBlock& block) {
-    return {block.origin, block.origin + block.edgeVoxels};
-}
-
 enum class Lies : std::uint8_t { inside, outside, across };
 
 // Of the middles of the voxels in `box`, which are those of its corner voxels and between.
@@ -75,7 +71,7 @@ bool isSolid(const VoxelGrid& voxels, const VoxelSet& set) {
             solid = !anyBit(solidBits(set.grid(), block.origin) & ~solidBits(voxels, block.origin));
             return;
         }
-        const IBox box = boxOf(block);
+        const IBox box = block.box();
         for (int x = box.min.x; solid && x < box.max.x; x += kCubeEdge) {
             for (int y = box.min.y; solid && y < box.max.y; y += kCubeEdge) {
                 for (int z = box.min.z; solid && z < box.max.z; z += kCubeEdge) {
@@ -113,7 +109,7 @@ VoxelSet selectAll(const VoxelGrid& voxels) {
 VoxelSet selectBox(const VoxelGrid& voxels, const IBox& box) {
     VoxelSet set;
     voxels.forEachBlock([&](const VoxelBlock& block) {
-        const IBox inside = boxOf(block).intersected(box);
+        const IBox inside = block.box().intersected(box);
         if (inside.empty()) return;
         if (block.voxels == nullptr) {
             set.insert(inside);
@@ -136,7 +132,7 @@ VoxelSet selectIf(const VoxelGrid& voxels, const std::function<bool(glm::ivec3 v
 VoxelSet selectInside(const VoxelGrid& voxels, std::span<const HalfSpace> sides) {
     VoxelSet set;
     voxels.forEachBlock(
-        [&](const VoxelBlock& block) { selectInBlock(voxels, sides, boxOf(block), set); });
+        [&](const VoxelBlock& block) { selectInBlock(voxels, sides, block.box(), set); });
     return set;
 }
 

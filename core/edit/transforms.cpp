@@ -17,10 +17,6 @@ struct Steps {
           z(rotation.apply({0, 0, 1})) {}
 };
 
-IBox boxOf(const VoxelBlock& block) {
-    return {block.origin, block.origin + block.edgeVoxels};
-}
-
 // visit(corner within the block, value) for the solid voxels of a leaf.
 template <class Visit>
 void forEachOfLeaf(const VoxelBlock& leaf, const Visit& visit) {
@@ -102,7 +98,7 @@ Status scale(VoxelClip& clip, int factor) {
                 value);
         };
         if (block.voxels == nullptr) {
-            fillCell(boxOf(block), block.uniformValue);
+            fillCell(block.box(), block.uniformValue);
         } else {
             forEachOfLeaf(block, [&](glm::ivec3 corner, std::uint8_t value) {
                 fillCell({block.origin + corner, block.origin + corner + 1}, value);
@@ -118,7 +114,7 @@ VoxelGrid transformed(const VoxelGrid& voxels, const Placement& placement) {
     const Steps step(placement.rotation);
     voxels.forEachBlock([&](const VoxelBlock& block) {
         if (block.voxels == nullptr) {
-            result.fill(placement.applyToBox(boxOf(block)).intersected(kRange), block.uniformValue);
+            result.fill(placement.applyToBox(block.box()).intersected(kRange), block.uniformValue);
             return;
         }
         const glm::ivec3 first = placement.applyToVoxel(block.origin);
@@ -135,7 +131,7 @@ VoxelSet transformed(const VoxelSet& set, const Placement& placement) {
     const Steps step(placement.rotation);
     set.grid().forEachBlock([&](const VoxelBlock& block) {
         if (block.voxels == nullptr) {
-            result.insert(placement.applyToBox(boxOf(block)));
+            result.insert(placement.applyToBox(block.box()));
             return;
         }
         const glm::ivec3 first = placement.applyToVoxel(block.origin);

@@ -11,10 +11,6 @@ constexpr int kEdge = 8;
 constexpr std::size_t kBlockVoxels = 512;
 const IBox kRange{glm::ivec3(-kMaxCoordinate), glm::ivec3(kMaxCoordinate + 1)};
 
-IBox boxOf(const VoxelBlock& block) {
-    return {block.origin, block.origin + block.edgeVoxels};
-}
-
 // The bytes of a cube of 8 of whatever block holds it, each `choose`(own, other).
 template <class Choose>
 std::array<std::uint8_t, kBlockVoxels> combinedBytes(const VoxelBlock& own, const VoxelBlock& other,
@@ -51,7 +47,7 @@ void VoxelSet::erase(glm::ivec3 v) {
 
 void VoxelSet::insertBlock(glm::ivec3 origin, const std::uint8_t* voxels) {
     const VoxelBlock given{origin, kEdge, 0, voxels};
-    const IBox box = boxOf(given);
+    const IBox box = given.box();
     if (box.intersected(kRange) == box) {
         members_.setBlock(origin,
                           combinedBytes(members_.blockAt(origin), given, [](bool a, bool b) {
@@ -68,7 +64,7 @@ void VoxelSet::unite(const VoxelSet& other) {
     if (&other == this) return;
     other.members_.forEachBlock([&](const VoxelBlock& block) {
         if (block.voxels == nullptr) {
-            insert(boxOf(block));
+            insert(block.box());
         } else {
             insertBlock(block.origin, block.voxels);
         }
@@ -86,7 +82,7 @@ void VoxelSet::subtract(const VoxelSet& other) {
             own.voxels == nullptr && own.uniformValue == 0 && own.edgeVoxels >= block.edgeVoxels;
         if (nothingThere) return;
         if (block.edgeVoxels > kEdge) {
-            members_.fill(boxOf(block).intersected(kRange), 0);
+            members_.fill(block.box().intersected(kRange), 0);
         } else {
             members_.setBlock(block.origin, combinedBytes(own, block, [](bool a, bool b) {
                                                 return a && !b;
@@ -105,7 +101,7 @@ void VoxelSet::intersect(const VoxelSet& other) {
             const bool coarser = there.edgeVoxels > block.edgeVoxels;
             if (!coarser && !(alsoEqual && there.edgeVoxels == block.edgeVoxels)) return;
             if (block.voxels == nullptr && there.voxels == nullptr) {
-                if (there.uniformValue != 0) common.insert(boxOf(block));
+                if (there.uniformValue != 0) common.insert(block.box());
                 return;
             }
             common.insertBlock(block.origin, combinedBytes(block, there, [](bool a, bool b) {

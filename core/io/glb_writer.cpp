@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/srgb.h"
+#include "core/io/gltf_numbers.h"
 #include "core/io/json_text.h"
 #include "core/io/mesh_writer.h"
 #include "core/io/quad_mesh.h"
@@ -15,10 +16,6 @@ namespace voxprite {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr int kUShort = 5123, kUInt = 5125, kFloat = 5126;
-constexpr int kVertices = 34962, kIndices = 34963;
-constexpr int kNearest = 9728, kClamp = 33071;
 
 // Voxel axes to those of glTF.
 glm::dvec3 yUp(const glm::dvec3& v) {
@@ -126,13 +123,13 @@ class GlbWriter {
         Json attributes;
         attributes["POSITION"] = addPositions(quads->vertices);
         attributes["NORMAL"] =
-            addVertices(quads->vertices, "VEC3", kFloat, [this](const QuadVertex& vertex) {
+            addVertices(quads->vertices, "VEC3", gltf::kFloat, [this](const QuadVertex& vertex) {
                 const glm::dvec3 normal = yUp(glm::dvec3(normalOf(vertex.face)));
                 for (int k = 0; k < 3; ++k) f32(static_cast<float>(normal[k] + 0.0));
             });
         if (vertexColours_) {
-            attributes["COLOR_0"] =
-                addVertices(quads->vertices, "VEC4", kUShort, [this](const QuadVertex& vertex) {
+            attributes["COLOR_0"] = addVertices(
+                quads->vertices, "VEC4", gltf::kUShort, [this](const QuadVertex& vertex) {
                     const Rgba8 colour = document_.palette.colours[vertex.material];
                     for (int k = 0; k < 3; ++k) {
                         bytes_.u16(static_cast<std::uint16_t>(
@@ -142,11 +139,11 @@ class GlbWriter {
                 });
             json_["accessors"].back()["normalized"] = true;
         } else {
-            attributes["TEXCOORD_0"] =
-                addVertices(quads->vertices, "VEC2", kFloat, [this](const QuadVertex& vertex) {
-                    f32(paletteU(vertex.material));
-                    f32(0.5f);
-                });
+            attributes["TEXCOORD_0"] = addVertices(quads->vertices, "VEC2", gltf::kFloat,
+                                                   [this](const QuadVertex& vertex) {
+                                                       f32(paletteU(vertex.material));
+                                                       f32(0.5f);
+                                                   });
         }
         Json primitive{{"attributes", std::move(attributes)}};
         primitive["indices"] = addIndices(*quads);
@@ -166,12 +163,13 @@ class GlbWriter {
     int addPositions(const std::vector<QuadVertex>& vertices) {
         constexpr float kFar = std::numeric_limits<float>::infinity();
         glm::vec3 low(kFar), high(-kFar);
-        const int accessor = addVertices(vertices, "VEC3", kFloat, [&](const QuadVertex& vertex) {
-            const glm::vec3 position = positionOf(vertex);
-            for (int k = 0; k < 3; ++k) f32(position[k]);
-            low = glm::min(low, position);
-            high = glm::max(high, position);
-        });
+        const int accessor =
+            addVertices(vertices, "VEC3", gltf::kFloat, [&](const QuadVertex& vertex) {
+                const glm::vec3 position = positionOf(vertex);
+                for (int k = 0; k < 3; ++k) f32(position[k]);
+                low = glm::min(low, position);
+                high = glm::max(high, position);
+            });
         // As floats, so that a reader that compares finds them equal.
         json_["accessors"].back()["min"] = listOf(glm::dvec3(low));
         json_["accessors"].back()["max"] = listOf(glm::dvec3(high));
@@ -183,7 +181,7 @@ class GlbWriter {
                     const Write& write) {
         const std::size_t first = bytes_.size();
         for (const QuadVertex& vertex : vertices) write(vertex);
-        return addAccessor(first, kVertices, vertices.size(), type, component);
+        return addAccessor(first, gltf::kVertices, vertices.size(), type, component);
     }
 
     int addIndices(const QuadMesh& mesh) {
@@ -193,8 +191,8 @@ class GlbWriter {
             if (narrow) bytes_.u16(static_cast<std::uint16_t>(index));
             if (!narrow) bytes_.u32(index);
         }
-        return addAccessor(first, kIndices, mesh.indices.size(), "SCALAR",
-                           narrow ? kUShort : kUInt);
+        return addAccessor(first, gltf::kIndices, mesh.indices.size(), "SCALAR",
+                           narrow ? gltf::kUShort : gltf::kUInt);
     }
 
     std::size_t addView(std::size_t first) {
@@ -224,10 +222,10 @@ class GlbWriter {
             bytes_.raw(ByteView(*png));
             json_["images"] = Json::array(
                 {{{"name", "palette"}, {"mimeType", "image/png"}, {"bufferView", addView(first)}}});
-            json_["samplers"] = Json::array({{{"magFilter", kNearest},
-                                              {"minFilter", kNearest},
-                                              {"wrapS", kClamp},
-                                              {"wrapT", kClamp}}});
+            json_["samplers"] = Json::array({{{"magFilter", gltf::kNearest},
+                                              {"minFilter", gltf::kNearest},
+                                              {"wrapS", gltf::kClamp},
+                                              {"wrapT", gltf::kClamp}}});
             json_["textures"] = Json::array({{{"sampler", 0}, {"source", 0}}});
         }
         json_["materials"] = Json::array({std::move(material)});

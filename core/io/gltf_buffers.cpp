@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/base/file.h"
+#include "core/io/gltf_numbers.h"
 
 namespace voxprite {
 namespace {
@@ -12,19 +13,17 @@ constexpr std::uint32_t kMagic = 0x46546C67;   // "glTF"
 constexpr std::uint32_t kJson = 0x4E4F534A;    // "JSON"
 constexpr std::uint32_t kBinary = 0x004E4942;  // "BIN"
 // The component types of the specification.
-constexpr int kByte = 5120, kUByte = 5121, kShort = 5122, kUShort = 5123, kUInt = 5125,
-              kFloat = 5126;
 
 int bytesOf(int type) {
     switch (type) {
-        case kByte:
-        case kUByte:
+        case gltf::kByte:
+        case gltf::kUByte:
             return 1;
-        case kShort:
-        case kUShort:
+        case gltf::kShort:
+        case gltf::kUShort:
             return 2;
-        case kUInt:
-        case kFloat:
+        case gltf::kUInt:
+        case gltf::kFloat:
             return 4;
         default:
             return 0;
@@ -163,15 +162,15 @@ double GltfAccessor::number(std::size_t element, int component) const {
     const std::uint8_t* at =
         data_ + element * stride_ + static_cast<std::size_t>(component * bytesOf(type_));
     switch (type_) {
-        case kByte:
+        case gltf::kByte:
             return integerAt<std::int8_t>(at, normalized_);
-        case kUByte:
+        case gltf::kUByte:
             return integerAt<std::uint8_t>(at, normalized_);
-        case kShort:
+        case gltf::kShort:
             return integerAt<std::int16_t>(at, normalized_);
-        case kUShort:
+        case gltf::kUShort:
             return integerAt<std::uint16_t>(at, normalized_);
-        case kUInt:
+        case gltf::kUInt:
             return integerAt<std::uint32_t>(at, normalized_);
         default:
             return static_cast<double>(loaded<float>(at));
@@ -179,13 +178,14 @@ double GltfAccessor::number(std::size_t element, int component) const {
 }
 
 bool GltfAccessor::holdsIndices() const {
-    return components_ == 1 && (type_ == kUByte || type_ == kUShort || type_ == kUInt);
+    return components_ == 1 &&
+           (type_ == gltf::kUByte || type_ == gltf::kUShort || type_ == gltf::kUInt);
 }
 
 std::uint32_t GltfAccessor::index(std::size_t element) const {
     const std::uint8_t* at = data_ + element * stride_;
-    if (type_ == kUByte) return *at;
-    if (type_ == kUShort) return loaded<std::uint16_t>(at);
+    if (type_ == gltf::kUByte) return *at;
+    if (type_ == gltf::kUShort) return loaded<std::uint16_t>(at);
     return loaded<std::uint32_t>(at);
 }
 

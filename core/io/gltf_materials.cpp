@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/io/gltf_numbers.h"
 #include "core/io/gltf_reader.h"
 #include "core/io/mesh_texture.h"
 
 namespace voxprite {
 namespace {
 
-constexpr int kClamp = 33071, kMirror = 33648;
 // Below this a blended surface is as good as not there.
 constexpr double kInvisible = 0.02;
 
@@ -22,9 +22,9 @@ const JsonValue& elementOf(const std::vector<JsonValue>& list, const JsonValue& 
 TextureWrap wrapOf(JsonObject& sampler, const char* key) {
     int wrap = 0;
     sampler.read(key, wrap);
-    return wrap == kClamp    ? TextureWrap::clamp
-           : wrap == kMirror ? TextureWrap::mirror
-                             : TextureWrap::repeat;
+    return wrap == gltf::kClamp    ? TextureWrap::clamp
+           : wrap == gltf::kMirror ? TextureWrap::mirror
+                                   : TextureWrap::repeat;
 }
 
 glm::dvec2 pairOf(JsonObject& json, const char* key, const glm::dvec2& otherwise) {

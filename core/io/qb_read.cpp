@@ -3,13 +3,11 @@
 #include "core/io/colour_reduction.h"
 #include "core/io/grid_budget.h"
 #include "core/io/qb.h"
+#include "core/io/qb_runs.h"
 #include "core/io/vox_fields.h"
 
 namespace voxprite {
 namespace {
-
-constexpr std::uint32_t kRun = 2;
-constexpr std::uint32_t kNextSlice = 6;
 
 struct QbHeader {
     bool blueFirst = false;
@@ -81,8 +79,8 @@ Status forEachRun(const QbHeader& header, const QbMatrix& matrix, ByteReader& re
             if (!word) return Failure(word.error());
             std::uint32_t colour = *word;
             std::uint64_t count = 1;
-            if (header.runs && *word == kNextSlice) break;
-            if (header.runs && *word == kRun) {
+            if (header.runs && *word == qb::kNextSlice) break;
+            if (header.runs && *word == qb::kRun) {
                 const Result<std::uint32_t> length = reader.u32("the length of a run");
                 if (!length) return Failure(length.error());
                 const Result<std::uint32_t> value = reader.u32("the colour of a run");

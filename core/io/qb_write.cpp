@@ -2,13 +2,12 @@
 
 #include "core/io/grid_layers.h"
 #include "core/io/qb.h"
+#include "core/io/qb_runs.h"
 #include "core/model/entity_voxels.h"
 
 namespace voxprite {
 namespace {
 
-constexpr std::uint32_t kRun = 2;
-constexpr std::uint32_t kNextSlice = 6;
 constexpr std::size_t kMaxName = 255;
 constexpr std::uint32_t kShortestRun = 4;  // shorter ones are no longer cell by cell
 
@@ -39,7 +38,7 @@ void writeSlice(ByteWriter& out, const Palette& palette, std::span<const std::ui
         std::uint32_t count = 1;
         while (at + count < end && word(at + count) == colour) ++count;
         if (count >= kShortestRun) {
-            out.u32(kRun);
+            out.u32(qb::kRun);
             out.u32(count);
             out.u32(colour);
         } else {
@@ -47,7 +46,7 @@ void writeSlice(ByteWriter& out, const Palette& palette, std::span<const std::ui
         }
         at += count;
     }
-    out.u32(kNextSlice);
+    out.u32(qb::kNextSlice);
 }
 
 VoxelGrid turned(const VoxelGrid& voxels, const SignedPermutation& rotation) {

@@ -29,6 +29,8 @@ struct VoxNode {
     std::uint64_t offset = 0;  // of the chunk's content, for errors
     SceneNode part;            // layer is still the id of the file
     std::vector<int> links;    // ids: the child of a transform, the children of a group
+
+    [[nodiscard]] std::string name() const { return "node " + std::to_string(id); }
 };
 
 // Colours as the chunks give them; what is not there is not set.

@@ -12,10 +12,6 @@ namespace {
 // What copies of shared nodes may take beyond a small multiple of the file's own length.
 constexpr std::uint64_t kSharingAllowance = std::uint64_t{64} << 20;
 
-std::string nameOf(const VoxNode& node) {
-    return "node " + std::to_string(node.id);
-}
-
 // What is below a node, the node itself included.
 struct Below {
     enum class State : std::uint8_t { unseen, open, done };
@@ -52,13 +48,13 @@ class GraphCheck {
             const int id = node.links[top.nextLink++];
             const auto found = file_.nodeFromId.find(id);
             if (found == file_.nodeFromId.end()) {
-                return failAtByte(node.offset, nameOf(node) + " refers to node " +
+                return failAtByte(node.offset, node.name() + " refers to node " +
                                                    std::to_string(id) + ", which does not exist");
             }
             const Below& child = below_[found->second];
             shared_ = shared_ || child.state != Below::State::unseen;
             if (child.state == Below::State::open) {
-                return failAtByte(node.offset, nameOf(node) + " contains itself, by way of node " +
+                return failAtByte(node.offset, node.name() + " contains itself, by way of node " +
                                                    std::to_string(id));
             }
             if (child.state == Below::State::unseen) enter(found->second);
@@ -99,19 +95,19 @@ class GraphCheck {
         }
         below.depth += 1;
         if (below.depth > kMaxVoxDepth) {
-            return failAtByte(node.offset, nameOf(node) + " is nested deeper than " +
+            return failAtByte(node.offset, node.name() + " is nested deeper than " +
                                                std::to_string(kMaxVoxDepth) + " levels");
         }
         if (below.bytes > maxBytes_) {
             return failAtByte(node.offset,
-                              nameOf(node) +
+                              node.name() +
                                   " uses shared nodes so often that the scene would take"
                                   " more than " +
                                   std::to_string(maxBytes_ >> 20) + " MiB");
         }
         for (const ModelKey& key : node.part.models) {
             if (key.model < 0 || static_cast<std::size_t>(key.model) >= file_.models.size()) {
-                return failAtByte(node.offset, nameOf(node) + " shows model " +
+                return failAtByte(node.offset, node.name() + " shows model " +
                                                    std::to_string(key.model) + "; there are " +
                                                    std::to_string(file_.models.size()));
             }

@@ -16,10 +16,6 @@ struct TrackEntry {
     Properties rest;  // attributes that are not understood
 };
 
-std::string nameOf(const VoxNode& node) {
-    return "node " + std::to_string(node.id);
-}
-
 // Without _f an entry holds from the frame of its own position, as in files before animation.
 int takeFrame(Properties& attributes, std::size_t position, const VoxNode& node, std::uint64_t at,
               VoxFields& fields) {
@@ -27,7 +23,7 @@ int takeFrame(Properties& attributes, std::size_t position, const VoxNode& node,
     const std::optional<int> frame =
         text ? wholeNumber(*text) : static_cast<int>(std::min<std::size_t>(position, kMaxFrames));
     if (frame && *frame >= 0 && *frame < kMaxFrames) return *frame;
-    fields.refuse(at, nameOf(node) + ": the frame \"" + text.value_or(std::to_string(position)) +
+    fields.refuse(at, node.name() + ": the frame \"" + text.value_or(std::to_string(position)) +
                           "\" is no number of 0 ... " + std::to_string(kMaxFrames - 1));
     return 0;
 }
@@ -57,14 +53,14 @@ Placement takePlacement(Properties& attributes, const VoxNode& node, std::uint64
         if (rotation) {
             placement.rotation = *rotation;
         } else {
-            fields.refuse(at, nameOf(node) + ": the rotation \"" + *text + "\" is none");
+            fields.refuse(at, node.name() + ": the rotation \"" + *text + "\" is none");
         }
     }
     if (const std::optional<std::string> text = takeProperty(attributes, "_t")) {
         if (const std::optional<glm::ivec3> translation = translationFromText(*text)) {
             placement.translation = *translation;
         } else {
-            fields.refuse(at, nameOf(node) + ": the translation \"" + *text +
+            fields.refuse(at, node.name() + ": the translation \"" + *text +
                                   "\" is not three whole numbers within +-" +
                                   std::to_string(kMaxCoordinate));
         }
@@ -81,7 +77,7 @@ std::vector<Key> keysFromTrack(std::vector<TrackEntry<Key>> track, const char* p
     std::vector<Key> keys;
     for (std::size_t i = 0; i < track.size(); ++i) {
         if (i + 1 < track.size() && track[i + 1].key.frame == track[i].key.frame) {
-            warnings.add(nameOf(node) + " has several keys for frame " +
+            warnings.add(node.name() + " has several keys for frame " +
                          std::to_string(track[i].key.frame) + "; the last one counts");
             continue;
         }
@@ -117,7 +113,7 @@ void parseTransform(VoxNode& node, VoxFields& fields, VoxWarnings& warnings) {
     }
     if (!fields.ok()) return;
     if (track.empty()) {
-        warnings.add(nameOf(node) + " has no frame; it stays where it is");
+        warnings.add(node.name() + " has no frame; it stays where it is");
         track.emplace_back();
     }
     part.placements = keysFromTrack(std::move(track), "frame/", node, warnings);
@@ -148,7 +144,7 @@ void parseShape(VoxNode& node, VoxFields& fields, VoxWarnings& warnings) {
         entry.key.frame = takeFrame(entry.rest, i, node, at, fields);
         track.push_back(std::move(entry));
     }
-    if (track.empty()) warnings.add(nameOf(node) + " is a shape without a model");
+    if (track.empty()) warnings.add(node.name() + " is a shape without a model");
     node.part.models = keysFromTrack(std::move(track), "model/", node, warnings);
 }
 

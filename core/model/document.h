@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/box.h"
+#include "core/base/check.h"
 #include "core/base/result.h"
 #include "core/model/palette.h"
 #include "core/model/placement.h"
@@ -138,6 +139,12 @@ struct Document {
     AuthoredValues authored;
 
     bool operator==(const Document&) const = default;
+
+    // Of a model that there is.
+    [[nodiscard]] const VoxelGrid& voxelsOf(int model) const {
+        VOXPRITE_CHECK(model >= 0 && static_cast<std::size_t>(model) < models.size());
+        return models[static_cast<std::size_t>(model)].voxels;
+    }
 
     // One empty model shown by one object.
     [[nodiscard]] static Document withEmptyModel();

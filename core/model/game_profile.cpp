@@ -11,7 +11,7 @@ Status checkVoxelSize(const std::string& field, double metres) {
 }
 
 Status checkSigma(const std::string& field, double sigma) {
-    return checkRange(field, sigma, 1.0 / 64.0, 64.0, "1/64 and 64");
+    return checkRange(field, sigma, kLeastSigma, kMostSigma, "1/64 and 64");
 }
 
 namespace {

@@ -67,6 +67,8 @@ struct GameProfile {
 
 // One number by itself, under the name that the message shall give it.
 [[nodiscard]] Status checkVoxelSize(const std::string& field, double metres);
+inline constexpr double kLeastSigma = 1.0 / 64.0;
+inline constexpr double kMostSigma = 64.0;
 [[nodiscard]] Status checkSigma(const std::string& field, double sigma);
 // Finite and in range, with a message that names the field, its value and the range.
 [[nodiscard]] Status validate(const GameProfile& profile);

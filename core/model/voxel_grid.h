@@ -30,6 +30,8 @@ struct VoxelBlock {
     std::uint8_t uniformValue = 0;
     const std::uint8_t* voxels = nullptr;
     const std::uint64_t* solid = nullptr;  // null where `voxels` is
+
+    [[nodiscard]] IBox box() const { return {origin, origin + edgeVoxels}; }
 };
 
 // A cube handed out by forEachRegion, aligned to its edge: one of 64 voxels with blocks of eight in

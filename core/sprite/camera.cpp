@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "core/base/finite.h"
 #include "core/model/range_check.h"
 
 namespace voxprite {
@@ -37,10 +38,6 @@ SinCos reducedSinCos(double degrees) {
     constexpr double kRadiansPerDegree = 0.017453292519943295;
     const double x = degrees * kRadiansPerDegree;
     return {sinSeries(x), cosSeries(x)};
-}
-
-bool finite(glm::dvec3 v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 }  // namespace

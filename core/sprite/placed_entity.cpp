@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/base/finite.h"
 #include "core/model/entity_voxels.h"
 #include "core/model/range_check.h"
 #include "core/sprite/camera.h"
@@ -14,10 +15,6 @@ namespace {
 
 // Columns are where the voxel axes point in the world; the inverse of voxelFromWorld.
 constexpr glm::dmat3 kWorldFromVoxel{1, 0, 0, 0, 0, -1, 0, 1, 0};
-
-bool finite(glm::dvec3 v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 
+#include "core/base/finite.h"
 #include "core/sprite/lattice_memo.h"
 #include "core/sprite/sprite_depth.h"
 #include "core/sprite/view_axes.h"
@@ -15,17 +16,11 @@ namespace voxprite {
 
 namespace {
 
-constexpr double kLeastSigma = 1.0 / 64.0;  // of sigma * scale
-constexpr double kMostSigma = 64.0;
 constexpr double kLeastSpritePx = 2.0;  // along the model's longest edge
 // Once halved, sigma is doubled again only when a virtual pixel would then be this wide.
 constexpr double kDoublingScreenPx = 1.25;
 // A finer step than this snaps nothing (and would not fit an int).
 constexpr double kLeastViewStep = 1e-6;
-
-bool finite(glm::dvec3 v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 // The profile's sigma, brought by powers of two to where sigma * scale is in range.
 double sigmaInRange(double sigma, double scale) {

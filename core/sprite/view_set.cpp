@@ -15,7 +15,7 @@ namespace voxprite {
 namespace {
 
 // Below this sine of the angle between Z and the ray, Z decides nothing.
-constexpr double kParallel = 1e-6;
+constexpr double kVertical = 1e-6;
 // Of spacing(): so far past the middle between two views the old one is kept.
 constexpr double kMargin = 0.1;
 // How far, in cells of the map, the nearest direction may be from the cell that is asked for.
@@ -153,7 +153,7 @@ std::string ViewSet::name() const {
 glm::dmat3 ViewSet::axes(int view) const {
     const glm::dvec3 forward = -direction(view);
     const glm::dvec3 up =
-        std::hypot(forward.x, forward.y) > kParallel ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+        std::hypot(forward.x, forward.y) > kVertical ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
     const glm::dvec3 right = glm::normalize(glm::cross(forward, up));
     return {right, glm::cross(right, forward), forward};
 }

@@ -1,4 +1,5 @@
 #include "core/trace/raycast.h"
+#include "core/base/finite.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +9,6 @@ namespace voxprite {
 namespace {
 
 static_assert(kRayDirectionBits * 2 + kRayEdgeBits + 2 <= 61, "keys stay below kNever");
-
-bool finite(glm::dvec3 v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 // To the nearest integer, halves away from zero, so that mirrored rays give mirrored integers.
 int rounded(double x) {

@@ -11,14 +11,14 @@
 namespace voxprite::test {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 class Bench : public CommandLine {};
 
 // 16 models, 8 turns, and sigma halved up to four times between the front row and the last.
 constexpr int kMostDistinct = 16 * 8 * 5;
 
-void checkStill(const json& figure) {
+void checkStill(const Json& figure) {
     EXPECT_EQ(figure.at("rays"), 0) << figure;
     EXPECT_EQ(figure.at("casts"), 0) << figure;
     EXPECT_EQ(figure.at("castsReused"), figure.at("drawn")) << figure;
@@ -29,8 +29,8 @@ TEST_F(Bench, RaysAtEveryDepthAgreeWithOpenGl) {
     const ProgramResult result = run({"bench", "--quick", "--only", "raycast", "--json"});
     ASSERT_EQ(result.status, 0) << result.err;
     std::map<std::string, int> figures;
-    const json report = result.json();
-    for (const json& figure : report.at("raycast")) {
+    const Json report = result.json();
+    for (const Json& figure : report.at("raycast")) {
         const std::string by = figure.at("by").get<std::string>();
         ++figures[by];
         EXPECT_TRUE(figure.at("depth") == 5 || figure.at("depth") == 6) << figure;
@@ -58,12 +58,12 @@ TEST_F(Bench, HotLoopsDoTheSameWorkInEveryRun) {
     for (int n = 0; n < 2; ++n) {
         const ProgramResult result = run({"bench", "--quick", "--only", "loops", "--json"});
         ASSERT_EQ(result.status, 0) << result.err;
-        const json report = result.json();
+        const Json report = result.json();
         // Counters, or why there are none.
-        const json& counters = report.at("machine").at("counters");
+        const Json& counters = report.at("machine").at("counters");
         EXPECT_TRUE(counters == true || counters.is_string()) << counters;
         std::map<std::string, int>& counts = runs.emplace_back();
-        for (const json& figure : report.at("loops")) {
+        for (const Json& figure : report.at("loops")) {
             counts[figure.at("loop").get<std::string>()] = figure.at("count").get<int>();
             EXPECT_EQ(figure.contains("instructions_per_" + figure.at("unit").get<std::string>()),
                       counters == true)
@@ -82,8 +82,8 @@ TEST_F(Bench, CrowdsAreOneDrawAndCastOnlyWhatIsNew) {
     std::set<std::tuple<std::string, std::string, std::string>> ways;
     int oneSprite = 0;
     bool tenThousand = false;
-    const json report = result.json();
-    for (const json& figure : report.at("frame")) {
+    const Json report = result.json();
+    for (const Json& figure : report.at("frame")) {
         const std::string scene = figure.at("scene").get<std::string>();
         if (scene == "one_sprite") {
             ++oneSprite;
@@ -128,10 +128,10 @@ TEST_F(Bench, CrowdsAreOneDrawAndCastOnlyWhatIsNew) {
 TEST_F(Bench, ShadeChangesAPartOfTheSprite) {
     const ProgramResult result = run({"bench", "--quick", "--only", "shade", "--json"});
     ASSERT_EQ(result.status, 0) << result.err;
-    const json report = result.json();
+    const Json report = result.json();
     std::map<std::string, double> changed;
     int views = 0;
-    for (const json& figure : report.at("shade")) {
+    for (const Json& figure : report.at("shade")) {
         if (figure.at("scene") == "sprite") {
             changed[figure.at("shade").get<std::string>()] = figure.at("changed").get<double>();
         }
@@ -151,11 +151,11 @@ TEST_F(Bench, ShadeChangesAPartOfTheSprite) {
 TEST_F(Bench, ClustersKeepTheirBudgets) {
     const ProgramResult result = run({"bench", "--quick", "--only", "clusters", "--json"});
     ASSERT_EQ(result.status, 0) << result.err;
-    const json report = result.json();
+    const Json report = result.json();
     std::map<std::string, std::uint64_t> clusters;
     std::map<std::string, std::uint64_t> finest;
     int saved = 0;
-    for (const json& figure : report.at("clusters")) {
+    for (const Json& figure : report.at("clusters")) {
         const std::string model = figure.at("model").get<std::string>();
         if (figure.contains("level") && figure.at("level") == 0)
             finest[model] = figure.at("clusters").get<std::uint64_t>();

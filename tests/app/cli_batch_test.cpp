@@ -18,7 +18,7 @@ class CliBatch : public test::CommandLine {
     }
     [[nodiscard]] std::vector<Json> lines(const std::string& name) const {
         std::vector<Json> lines;
-        std::istringstream text(contentOf(file(name)));
+        std::istringstream text(test::contentOf(file(name)));
         for (std::string line; std::getline(text, line);) lines.push_back(Json::parse(line));
         return lines;
     }
@@ -52,8 +52,8 @@ TEST_F(CliBatch, OneBadFileFailsAloneAndTheLogSaysWhich) {
 
     EXPECT_EQ(convert("again", "4").status, 1);
     for (const char* name : {"figure.qb", "busy.qb"}) {
-        EXPECT_EQ(contentOf(file(std::string("again/") + name)),
-                  contentOf(file(std::string("out/") + name)));
+        EXPECT_EQ(test::contentOf(file(std::string("again/") + name)),
+                  test::contentOf(file(std::string("out/") + name)));
     }
 }
 

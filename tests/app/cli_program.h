@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/file_content.h"
 #include "tests/support/temporary_folder.h"
 
 namespace voxprite::test {
@@ -48,11 +49,6 @@ class CommandLine : public testing::Test {
     // A path in this test's own folder.
     [[nodiscard]] std::string file(const std::string& name) const {
         return (folder_ / name).string();
-    }
-    [[nodiscard]] static std::string contentOf(const std::string& path) {
-        std::ostringstream content;
-        content << std::ifstream(path, std::ios::binary).rdbuf();
-        return content.str();
     }
 
   private:

@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
+
+#include "tests/support/file_content.h"
 
 namespace voxprite::test {
 namespace {
@@ -16,12 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kSource = VOXPRITE_SOURCE_DIR;
-
-std::string contentOf(const fs::path& path) {
-    std::ostringstream content;
-    content << std::ifstream(path, std::ios::binary).rdbuf();
-    return content.str();
-}
 
 // All files below a folder with one of the endings, joined.
 std::string everythingBelow(const fs::path& folder, const std::set<std::string>& endings,
@@ -52,7 +46,7 @@ constexpr Page kPages[] = {{"CONFORMANCE.md", 34},
                            {"CONFORMANCE_SNAPSHOTS.md", 20},
                            {"CONFORMANCE_CLUSTERS.md", 20}};
 
-std::string contentOf(const Page& page) {
+std::string textOf(const Page& page) {
     return contentOf(kSource / "tests" / page.name);
 }
 
@@ -107,7 +101,7 @@ TEST(ConformancePage, ThereIsOneForEverySeed) {
 TEST(ConformancePage, NamesFilesThatExist) {
     for (const Page& page : kPages) {
         const std::set<std::string> files = matchesIn(
-            contentOf(page), std::regex("`([a-z]+/[\\w/]+\\.(?:cpp|h|glsl|frag|vert|comp|md))`"));
+            textOf(page), std::regex("`([a-z]+/[\\w/]+\\.(?:cpp|h|glsl|frag|vert|comp|md))`"));
         EXPECT_GT(files.size(), 3u) << page.name;
         for (const std::string& file : files)
             EXPECT_TRUE(fs::exists(kSource / file)) << page.name << ": " << file;
@@ -118,7 +112,7 @@ TEST(ConformancePage, NamesTestsThatExist) {
     const std::set<std::string> declared = declaredTests();
     EXPECT_GT(declared.size(), 1000u);
     for (const Page& page : kPages) {
-        const std::set<std::string> names = matchesIn(contentOf(page), kTestName);
+        const std::set<std::string> names = matchesIn(textOf(page), kTestName);
         EXPECT_GT(names.size(), 15u) << page.name;
         for (const std::string& name : names)
             EXPECT_TRUE(declared.contains(name)) << page.name << ": " << name;
@@ -127,7 +121,7 @@ TEST(ConformancePage, NamesTestsThatExist) {
 
 TEST(ConformancePage, EveryRowNamesATest) {
     for (const Page& page : kPages) {
-        const std::vector<std::string> rows = rowsOf(contentOf(page));
+        const std::vector<std::string> rows = rowsOf(textOf(page));
         EXPECT_GE(rows.size(), page.leastRows) << page.name;
         for (const std::string& row : rows) {
             EXPECT_TRUE(std::regex_search(row, kTestName) ||

@@ -26,19 +26,19 @@ CopySettings settingsOf(CopyPattern pattern, int count, double spacing = 1.0) {
     return settings;
 }
 
-double distance(const Copy& a, const Copy& b) {
+double distance(const SceneCopy& a, const SceneCopy& b) {
     return std::hypot(a.acrossMetres - b.acrossMetres, a.aheadMetres - b.aheadMetres);
 }
 
 // Everyone, the edited model first.
-std::vector<Copy> everyone(const Formation& formation) {
-    std::vector<Copy> all{{0, 0.0, 0.0, 0.0}};
+std::vector<SceneCopy> everyone(const Formation& formation) {
+    std::vector<SceneCopy> all{{0, 0.0, 0.0, 0.0}};
     all.insert(all.end(), formation.copies.begin(), formation.copies.end());
     return all;
 }
 
-void expectRoomForAll(const std::vector<Copy>& all, const std::vector<CopySubject>& subjects) {
-    const auto reach = [&](const Copy& copy) {
+void expectRoomForAll(const std::vector<SceneCopy>& all, const std::vector<CopySubject>& subjects) {
+    const auto reach = [&](const SceneCopy& copy) {
         return subjects[static_cast<std::size_t>(copy.subject)].reachMetres;
     };
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -79,7 +79,8 @@ TEST(SceneCopies, OnlyModelsInUseAppearAndAllOfThemDo) {
     subjects[0].used = false;
     subjects[2].used = false;
     std::set<int> seen;
-    for (const Copy& copy : arrangeCopies(settingsOf(CopyPattern::crowd, 60), subjects).copies) {
+    for (const SceneCopy& copy :
+         arrangeCopies(settingsOf(CopyPattern::crowd, 60), subjects).copies) {
         seen.insert(copy.subject);
     }
     EXPECT_EQ(seen, (std::set<int>{1, 3}));
@@ -88,7 +89,7 @@ TEST(SceneCopies, OnlyModelsInUseAppearAndAllOfThemDo) {
     EXPECT_TRUE(arrangeCopies(settingsOf(CopyPattern::grid, 9), {}).copies.empty());
 }
 
-bool same(const Copy& a, const Copy& b) {
+bool same(const SceneCopy& a, const SceneCopy& b) {
     return a.subject == b.subject && distance(a, b) == 0.0 && a.turnDegrees == b.turnDegrees;
 }
 
@@ -106,10 +107,11 @@ TEST(SceneCopies, TheSeedAloneDecidesAndMoreCopiesMoveNobody) {
 TEST(SceneCopies, TurnsAreStepsOf45DegreesAndCanBeSwitchedOff) {
     CopySettings settings = settingsOf(CopyPattern::grid, 300);
     std::set<double> turns;
-    for (const Copy& copy : arrangeCopies(settings, kMixed).copies) turns.insert(copy.turnDegrees);
+    for (const SceneCopy& copy : arrangeCopies(settings, kMixed).copies)
+        turns.insert(copy.turnDegrees);
     EXPECT_EQ(turns, (std::set<double>{0, 45, 90, 135, 180, 225, 270, 315}));
     settings.turned = false;
-    for (const Copy& copy : arrangeCopies(settings, kMixed).copies) {
+    for (const SceneCopy& copy : arrangeCopies(settings, kMixed).copies) {
         EXPECT_EQ(copy.turnDegrees, 0.0);
     }
 }
@@ -118,8 +120,8 @@ TEST(SceneCopies, TheMarchKeepsItsRanksAndComesRoundAgain) {
     const Formation made = arrangeCopies(settingsOf(CopyPattern::march, 90), kMixed);
     ASSERT_GT(made.loopMetres, 0.0);
     for (const double metres : {0.0, 3.7, made.loopMetres * 0.5, made.loopMetres * 12.25}) {
-        std::vector<Copy> all{{0, 0.0, 0.0, 0.0}};
-        for (const Copy& copy : made.copies) {
+        std::vector<SceneCopy> all{{0, 0.0, 0.0, 0.0}};
+        for (const SceneCopy& copy : made.copies) {
             all.push_back(walked(copy, made, metres));
             EXPECT_EQ(all.back().acrossMetres, copy.acrossMetres);
             // So far ahead, but for whole rounds.

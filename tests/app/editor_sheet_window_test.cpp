@@ -1,5 +1,4 @@
 // Sprite sheets from the window: the same files, byte for byte, as from the command line.
-#include <fstream>
 
 #include "core/io/formats.h"
 #include "tests/app/editor_window.h"
@@ -9,11 +8,6 @@ namespace voxprite::test {
 namespace {
 
 using Json = nlohmann::json;
-
-std::string contentOf(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 class SheetInAWindow : public EditorWindow {
   protected:

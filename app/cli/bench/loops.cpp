@@ -7,6 +7,7 @@
 #include "app/cli/bench/counters.h"
 #include "app/cli/bench/rivals.h"
 #include "app/cli/stopwatch.h"
+#include "core/model/game_profile.h"
 #include "core/sprite/camera.h"
 #include "core/sprite/placed_entity.h"
 #include "core/sprite/voxel_placement.h"
@@ -85,7 +86,8 @@ Result<LoopWork> workOn(BenchModel model) {
     const glm::ivec3 size = work.model.octree.size;
     const glm::dmat3 basis = orbitBasis(kFrom);
     OrthoView ortho{basis[0], basis[1], basis[2]};
-    ortho.sigmaInForce = std::clamp(kEdgePx / glm::length(glm::dvec3(size)), 1.0 / 64.0, 64.0);
+    ortho.sigmaInForce =
+        std::clamp(kEdgePx / glm::length(glm::dvec3(size)), kLeastSigma, kMostSigma);
     Result<LatticeView> lattice = quantiseView(ortho, size);
     if (!lattice) return Failure(lattice.error());
     work.lattice = *lattice;

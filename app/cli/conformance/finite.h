@@ -5,14 +5,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/base/finite.h"
 #include "core/sprite/sprite_view.h"
 
 namespace voxprite::conformance {
 
-[[nodiscard]] inline bool finite(glm::dvec3 v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
+using voxprite::finite;
 [[nodiscard]] inline bool finite(const SpriteView& view, const Camera& camera) {
     const glm::dmat3 m = pixelFromScreen(view, camera);
     return finite(view.centreFromEyeMetres) && finite(view.right) && finite(view.up) &&

@@ -53,9 +53,9 @@ double shareChanged(const Shown& a, const Shown& b) {
 }
 
 // One viewer of one model: keeps its history, and casts when the view has changed.
-class Viewer {
+class SnappedViewer {
   public:
-    Viewer(const TurningModel& model, double stepDegrees) : model_(model) {
+    SnappedViewer(const TurningModel& model, double stepDegrees) : model_(model) {
         profile_ = plainProfile();
         profile_.viewStepDegrees = stepDegrees;
         entity_ = placeEntity(Entity{}, {glm::ivec3(0), model.octree.size}, profile_);
@@ -88,8 +88,8 @@ class Viewer {
 };
 
 void measureWay(const TurningModel& model, const Way& way, std::vector<TurnFigures>& sums) {
-    Viewer exact(model, 0.0);
-    std::vector<Viewer> viewers;
+    SnappedViewer exact(model, 0.0);
+    std::vector<SnappedViewer> viewers;
     viewers.reserve(sums.size());
     for (const TurnFigures& figures : sums) viewers.emplace_back(model, figures.stepDegrees);
     for (int frame = 0; frame <= kFramesAWay; ++frame) {
@@ -112,7 +112,7 @@ void measureWay(const TurningModel& model, const Way& way, std::vector<TurnFigur
 void measureTremble(const TurningModel& model, const Way& way, std::vector<TurnFigures>& sums) {
     constexpr double kDegrees = kTrembleRadians * 57.29577951308232;
     for (TurnFigures& figures : sums) {
-        Viewer viewer(model, figures.stepDegrees);
+        SnappedViewer viewer(model, figures.stepDegrees);
         Sequence random(11);
         for (int frame = 0; frame <= kFramesTrembling; ++frame) {
             const Camera camera =

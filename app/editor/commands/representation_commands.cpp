@@ -7,8 +7,6 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr const char* kGroup = "Sprite view";
-
 RepresentationSettings& settingsOf(CommandContext& c) {
     return c.settings.scene.representations;
 }
@@ -19,7 +17,7 @@ const RepresentationSettings& settingsOf(const CommandContext& c) {
 template <DrawRule rule>
 constexpr Command ruleCommand(Command command) {
     command.menu = MenuId::view;
-    command.group = kGroup;
+    command.group = kSpriteViewGroup;
     command.run = [](CommandContext& c) { settingsOf(c).rule = rule; };
     command.on = [](const CommandContext& c) { return settingsOf(c).rule == rule; };
     return command;
@@ -79,26 +77,26 @@ std::span<const Command> representationCommands() {
         Command{.id = halveErrorBudget,
                 .tag = "halve_error_budget",
                 .menu = MenuId::view,
-                .group = kGroup,
+                .group = kSpriteViewGroup,
                 .name = "Error budget: half",
                 .run = budget<-1>},
         Command{.id = doubleErrorBudget,
                 .tag = "double_error_budget",
                 .menu = MenuId::view,
-                .group = kGroup,
+                .group = kSpriteViewGroup,
                 .name = "Error budget: double",
                 .run = budget<1>},
         Command{.id = tintByChoice,
                 .tag = "tint_by_choice",
                 .menu = MenuId::view,
-                .group = kGroup,
+                .group = kSpriteViewGroup,
                 .name = "Tint entities by what they are drawn by",
                 .run = [](CommandContext& c) { settingsOf(c).tint = !settingsOf(c).tint; },
                 .on = [](const CommandContext& c) { return settingsOf(c).tint; }},
         Command{.id = compareRepresentations,
                 .tag = "compare_representations",
                 .menu = MenuId::view,
-                .group = kGroup,
+                .group = kSpriteViewGroup,
                 .name = "Compare representations",
                 .icon = icon::kLayers,
                 .run = compare,
@@ -106,7 +104,7 @@ std::span<const Command> representationCommands() {
         Command{.id = flyRepresentations,
                 .tag = "fly_representations",
                 .menu = MenuId::view,
-                .group = kGroup,
+                .group = kSpriteViewGroup,
                 .name = "Compare representations: fly from near to far",
                 .icon = icon::kPlay,
                 .run = fly,
@@ -114,7 +112,7 @@ std::span<const Command> representationCommands() {
         Command{.id = representationsNearer,
                 .tag = "representations_nearer",
                 .menu = MenuId::view,
-                .group = kGroup,
+                .group = kSpriteViewGroup,
                 .name = "Compare representations: nearer",
                 .repeats = true,
                 .run = step<1>,
@@ -122,7 +120,7 @@ std::span<const Command> representationCommands() {
         Command{.id = representationsFarther,
                 .tag = "representations_farther",
                 .menu = MenuId::view,
-                .group = kGroup,
+                .group = kSpriteViewGroup,
                 .name = "Compare representations: farther",
                 .repeats = true,
                 .run = step<-1>,

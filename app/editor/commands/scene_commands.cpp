@@ -9,13 +9,11 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr const char* kGroup = "Sprite view";
-
 // Splits the sprite view into so many cells, or makes it one again.
 template <int cells>
 constexpr Command compareCommand(Command command) {
     command.menu = MenuId::view;
-    command.group = kGroup;
+    command.group = kSpriteViewGroup;
     command.run = [](CommandContext& c) {
         SigmaComparison& comparison = c.settings.scene.comparison;
         comparison.open(comparison.cells == cells ? 0 : cells, c.session.profile().sigma);
@@ -28,7 +26,7 @@ constexpr Command compareCommand(Command command) {
 template <int screenPx>
 constexpr Command distanceCommand(Command command) {
     command.menu = MenuId::view;
-    command.group = kGroup;
+    command.group = kSpriteViewGroup;
     command.run = [](CommandContext& c) { c.spriteView.toGameDistance(c.session, screenPx); };
     command.enabled = [](const CommandContext& c) { return !c.session.bounds().empty(); };
     return command;
@@ -73,21 +71,21 @@ std::span<const Command> sceneCommands() {
         Command{.id = frameScene,
                 .tag = "frame_scene",
                 .menu = MenuId::view,
-                .group = kGroup,
+                .group = kSpriteViewGroup,
                 .name = "Frame the whole scene",
                 .icon = icon::kPeople,
                 .run = [](CommandContext& c) { c.spriteView.frameScene(c.session); }},
         Command{.id = addSceneModel,
                 .tag = "add_scene_model",
                 .menu = MenuId::view,
-                .group = kGroup,
+                .group = kSpriteViewGroup,
                 .name = "Add a model to the scene…",
                 .icon = icon::kPlus,
                 .run = addModel},
         Command{.id = toggleSinglePass,
                 .tag = "single_pass",
                 .menu = MenuId::view,
-                .group = kGroup,
+                .group = kSpriteViewGroup,
                 .name = "Draw sprites in a single pass",
                 .run =
                     [](CommandContext& c) {

@@ -7,6 +7,9 @@
 
 namespace voxprite::editor {
 
+// What several tables head their parts of a menu with.
+inline constexpr const char* kSpriteViewGroup = "Sprite view";
+
 [[nodiscard]] std::span<const Command> fileCommands();
 [[nodiscard]] std::span<const Command> editCommands();
 [[nodiscard]] std::span<const Command> clipboardCommands();

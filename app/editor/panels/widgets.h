@@ -6,6 +6,7 @@
 #include <span>
 
 #include "app/editor/panels/ui.h"
+#include "core/model/game_profile.h"
 
 namespace voxprite::editor {
 
@@ -30,7 +31,7 @@ void rowLabel(Ui& ui, const char* label, const char* hint = nullptr);
 [[nodiscard]] bool logSliderRow(Ui& ui, const char* name, const char* label, double& value,
                                 double min, double max, double (*snap)(double),
                                 const char* hint = nullptr,
-                                const Range& typed = {1.0 / 64.0, 64.0, 0.02, "%.4g"});
+                                const Range& typed = {kLeastSigma, kMostSigma, 0.02, "%.4g"});
 [[nodiscard]] bool switchRow(Ui& ui, const char* name, const char* label, bool& value,
                              const char* hint = nullptr);
 // One of a few, side by side. Without a label they take the whole width.

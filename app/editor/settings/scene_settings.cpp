@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/model/game_profile.h"
 #include "core/sprite/view_set.h"
 
 namespace voxprite::editor {
@@ -99,7 +100,7 @@ SceneSettings sceneSettingsFrom(const Json& json) {
     const int cells = json.value("compared", 0);
     comparison.cells = cells == 2 || cells == 4 ? cells : 0;
     comparison.sigmas = json.value("sigmas", comparison.sigmas);
-    for (double& sigma : comparison.sigmas) sigma = std::clamp(sigma, 1.0 / 64.0, 64.0);
+    for (double& sigma : comparison.sigmas) sigma = std::clamp(sigma, kLeastSigma, kMostSigma);
     settings.representations =
         representationSettingsFrom(json.value("representations", Json::object()));
     if (comparison.on()) settings.representations.compared = false;

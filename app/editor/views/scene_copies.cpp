@@ -87,7 +87,7 @@ class Arranger {
                 march();
                 break;
         }
-        for (const Copy& copy : made_.copies) {
+        for (const SceneCopy& copy : made_.copies) {
             made_.radiusMetres =
                 std::max(made_.radiusMetres,
                          std::hypot(copy.acrossMetres, copy.aheadMetres) +
@@ -193,15 +193,15 @@ Formation arrangeCopies(const CopySettings& settings, std::span<const CopySubjec
     return Arranger(settings, subjects).arrange();
 }
 
-Copy walked(const Copy& copy, const Formation& formation, double walkedMetres) {
-    Copy now = copy;
+SceneCopy walked(const SceneCopy& copy, const Formation& formation, double walkedMetres) {
+    SceneCopy now = copy;
     if (formation.loopMetres > 0.0) {
         now.aheadMetres = std::remainder(copy.aheadMetres + walkedMetres, formation.loopMetres);
     }
     return now;
 }
 
-PlacedEntity standing(const PlacedEntity& subject, const Copy& copy, double facingDegrees) {
+PlacedEntity standing(const PlacedEntity& subject, const SceneCopy& copy, double facingDegrees) {
     const SinCos facing = sinCosDegrees(facingDegrees);
     const SinCos turn = sinCosDegrees(copy.turnDegrees);
     const glm::dmat3 aboutUp{turn.cos, 0, -turn.sin, 0, 1, 0, turn.sin, 0, turn.cos};

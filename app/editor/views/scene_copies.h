@@ -21,7 +21,7 @@ struct CopySubject {
     bool operator==(const CopySubject&) const = default;
 };
 
-struct Copy {
+struct SceneCopy {
     int subject = 0;  // index into the subjects
     double acrossMetres = 0.0;
     double aheadMetres = 0.0;
@@ -29,7 +29,7 @@ struct Copy {
 };
 
 struct Formation {
-    std::vector<Copy> copies;
+    std::vector<SceneCopy> copies;
     // March: whoever walks out at the front comes in again at the back, this far behind; else 0.
     double loopMetres = 0.0;
     // From the edited model's anchor to the outermost anchor, plus the reach of what stands there.
@@ -43,11 +43,12 @@ struct Formation {
                                       std::span<const CopySubject> subjects);
 
 // The copy after the march went on by `walkedMetres`.
-[[nodiscard]] Copy walked(const Copy& copy, const Formation& formation, double walkedMetres);
+[[nodiscard]] SceneCopy walked(const SceneCopy& copy, const Formation& formation,
+                               double walkedMetres);
 
 // `subject` standing where `copy` says. It comes as it would stand in the edited model's place,
 // faced as that one is: turned by `facingDegrees` about the world's up axis.
-[[nodiscard]] PlacedEntity standing(const PlacedEntity& subject, const Copy& copy,
+[[nodiscard]] PlacedEntity standing(const PlacedEntity& subject, const SceneCopy& copy,
                                     double facingDegrees);
 
 // How far a model reaches from its anchor along the ground.

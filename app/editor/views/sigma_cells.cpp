@@ -5,6 +5,7 @@
 #include "app/editor/panels/widgets.h"
 #include "app/editor/window/icons.h"
 #include "app/editor/window/imgui_texture.h"
+#include "core/model/game_profile.h"
 
 namespace voxprite::editor {
 namespace {
@@ -62,14 +63,14 @@ void drawCaption(Ui& ui, ImVec2 lowerLeft, int index) {
     ImGui::PopFont();
     ImGui::SameLine(0.0f, theme.px(6));
     ImGui::SetNextItemWidth(theme.px(54));
-    constexpr double kLeast = 1.0 / 64.0, kMost = 64.0;
     double wanted = sigma;
-    const bool changed = ImGui::DragScalar("##sigma", ImGuiDataType_Double, &wanted, 0.02f, &kLeast,
-                                           &kMost, "%.4g", ImGuiSliderFlags_AlwaysClamp);
+    const bool changed =
+        ImGui::DragScalar("##sigma", ImGuiDataType_Double, &wanted, 0.02f, &kLeastSigma,
+                          &kMostSigma, "%.4g", ImGuiSliderFlags_AlwaysClamp);
     ui.edits.watchItem(ui.session);
     ui.probe.markItem(name + ".sigma");
     tooltip(ui, "Drag, or double-click to type");
-    if (changed && wanted >= kLeast) {
+    if (changed && wanted >= kLeastSigma) {
         sigma = wanted;
         if (inForce) useSigma(ui, wanted, true);
     }

@@ -2,15 +2,9 @@
 
 #include <algorithm>
 
+#include "core/model/game_profile.h"
+
 namespace voxprite::editor {
-namespace {
-
-// What the profile takes.
-constexpr double kLeastSigma = 1.0 / 64.0;
-constexpr double kMostSigma = 64.0;
-
-}  // namespace
-
 void SigmaComparison::open(int count, double profileSigma) {
     cells = count;
     // From coarse to fine; what is finer than the game's sigma would be minified in a small cell.

@@ -9,7 +9,6 @@ namespace voxprite::editor {
 namespace {
 
 constexpr OrbitAngles kAngles{30.0, 20.0, 0.0};
-constexpr double kLeastSigma = 1.0 / 64.0;
 
 }  // namespace
 

@@ -111,7 +111,7 @@ Scene SpriteScene::make(const Session& session, const GpuOctree& edited, const V
     }
     shadows_.resize(entityCount());
     scene.entities.reserve(entityCount());
-    const auto add = [&](const Subject& subject, const Copy& copy) {
+    const auto add = [&](const Subject& subject, const SceneCopy& copy) {
         const std::size_t number = scene.entities.size();
         const double facing = document.entity.yawDegrees;
         shadows_[number] = standing(subject.shadow, copy, facing);
@@ -119,8 +119,8 @@ Scene SpriteScene::make(const Session& session, const GpuOctree& edited, const V
                                   standing(subject.placed, copy, facing), &histories[number],
                                   &shadows_[number]});
     };
-    add(own, Copy{});
-    for (const Copy& copy : formation_.copies) {
+    add(own, SceneCopy{});
+    for (const SceneCopy& copy : formation_.copies) {
         add(subjects[static_cast<std::size_t>(copy.subject)],
             walked(copy, formation_, walkedMetres_));
     }

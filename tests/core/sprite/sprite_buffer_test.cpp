@@ -164,7 +164,7 @@ TEST(SpriteBuffer, ThreadsChangeNothing) {
 }
 
 // The rule of the specification, said once more from the finished buffer alone.
-void expectExactOutline(const SpriteBuffer& buffer) {
+void expectExactOutline(const SpriteBuffer& buffer, bool framed = true) {
     const auto opaque = [&](int x, int y) {
         return x >= 0 && y >= 0 && x < buffer.size.x && y < buffer.size.y &&
                buffer.ids[static_cast<std::size_t>(y * buffer.size.x + x)] >= 2;
@@ -176,6 +176,7 @@ void expectExactOutline(const SpriteBuffer& buffer) {
             const bool is = buffer.ids[static_cast<std::size_t>(y * buffer.size.x + x)] == 1;
             ASSERT_EQ(wanted, is) << x << ", " << y;
             // Every hit has room for its outline.
+            if (!framed) continue;
             if (x == 0 || y == 0 || x == buffer.size.x - 1 || y == buffer.size.y - 1) {
                 ASSERT_FALSE(opaque(x, y)) << x << ", " << y;
             }
@@ -195,6 +196,29 @@ TEST(Outline, IsExactlyTheEmptyCardinalNeighbours) {
             expectExactOutline(
                 castFrom(subject, {angle(random), angle(random) / 2, angle(random)}, sigma));
         }
+}
+
+TEST(Outline, IsDrawnIntoNothingElseWhateverTheWidth) {
+    std::mt19937 random(29);
+    for (int width = 1; width <= 200; width += width < 70 ? 1 : 13) {
+        SpriteBuffer buffer;
+        buffer.size = {width, 1 + width % 5};
+        const auto count = static_cast<std::size_t>(buffer.size.x * buffer.size.y);
+        const auto oneIn = 2 + random() % 20;
+        for (std::size_t at = 0; at < count; ++at) {
+            const bool hit = random() % oneIn == 0;
+            buffer.ids.push_back(hit ? kIdFirstVoxel + static_cast<std::uint32_t>(at) : kIdEmpty);
+            buffer.colours.push_back(hit ? Rgba8(1, 2, 3, 255) : Rgba8(0));
+        }
+        const SpriteBuffer before = buffer;
+        dilateOutline(buffer, {10, 20, 30, 40});
+        expectExactOutline(buffer, false);
+        for (std::size_t at = 0; at < count; ++at) {
+            const bool outline = buffer.ids[at] == kIdOutline;
+            ASSERT_EQ(buffer.colours[at], outline ? Rgba8(10, 20, 30, 255) : before.colours[at]);
+            ASSERT_EQ(buffer.ids[at], outline ? kIdOutline : before.ids[at]);
+        }
+    }
 }
 
 TEST(Outline, CanBeOff) {
