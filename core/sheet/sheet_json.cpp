@@ -109,7 +109,9 @@ Json clipsOf(const Document& document) {
 std::string pictureName(const std::string& imageName, const std::string& picture) {
     if (picture.empty()) return imageName;
     const std::filesystem::path path(imageName);
-    const std::string name = path.stem().string() + "." + picture + path.extension().string();
+    std::string name = path.stem().string() + "." + picture + path.extension().string();
+    // A variant may be called "day/night"; its picture lies beside the others all the same.
+    std::ranges::replace(name, '/', '_');
     return (path.parent_path() / name).string();
 }
 

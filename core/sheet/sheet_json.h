@@ -20,7 +20,7 @@ namespace voxprite {
 [[nodiscard]] bool sheetJsonNames(const std::string& text, const std::string& imageName,
                                   const std::string& picture);
 
-// "knight.png" and "normals" make "knight.normals.png".
+// "knight.png" and "normals" make "knight.normals.png", in the same folder.
 [[nodiscard]] std::string pictureName(const std::string& imageName, const std::string& picture);
 
 // How long a frame of the document shows: as the first clip says that has it, else at the rate of a

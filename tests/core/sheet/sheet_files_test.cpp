@@ -70,6 +70,11 @@ TEST(SheetFiles, WhatTheyWouldReplaceIsKnownBeforeTheyAreMade) {
     EXPECT_EQ(replaced().size(), files.size() - 1);
 }
 
+TEST(SheetFiles, LieBesideEachOtherWhateverVariantsAreCalled) {
+    EXPECT_EQ(pictureName("out/hut.png", "normals"), "out/hut.normals.png");
+    EXPECT_EQ(pictureName("out/hut.png", "variant-../../night"), "out/hut.variant-.._.._night.png");
+}
+
 TEST(SheetFiles, TheTextSaysWhichPicturesAreItsOwn) {
     const Document document = test::documentOf(test::figure());
     SheetOptions options;
