@@ -78,7 +78,7 @@ Status keepNeighbours(std::span<const SheetFile> files) {
         if (file.asked) continue;
         const bool isText = &file == &files.back();
         const std::string name = (isText ? output : file.path).filename().string();
-        const Status may = mayReplaceNeighbour(file.path, file.bytes, output, [&] {
+        Status may = mayReplaceNeighbour(file.path, file.bytes, output, [&] {
             return text && sheetJsonNames(*text, output.filename().string(), name);
         });
         if (!may) return may;

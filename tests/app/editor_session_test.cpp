@@ -5,12 +5,15 @@
 
 #include <array>
 
+#include "core/base/file.h"
 #include "core/edit/make_action.h"
 #include "core/edit/patches.h"
 #include "core/edit/scene_edits.h"
 #include "core/io/formats.h"
 #include "core/io/profile_json.h"
+#include "core/io/svo_set.h"
 #include "core/svo/bake.h"
+#include "tests/support/must.h"
 #include "tests/support/random.h"
 #include "tests/support/temporary_folder.h"
 
@@ -291,6 +294,47 @@ TEST(EditorSession, TheGamesProfileWinsOverAuthoredValues) {
     EXPECT_FALSE(bound.unsaved());
     ASSERT_TRUE(bound.open(folder / "a.voxprite"));
     EXPECT_EQ(bound.profile().sigma, 3.0);
+}
+
+TEST(EditorSession, OneOfSeveralEntitiesHasItsOwnNameUntilItHasAFile) {
+    const test::TemporaryFolder folder;
+    const Document document = twistedDocument();
+    const GameProfile profile;
+    std::string longName(79, 'x');
+    longName += "\u00e9";  // its second byte would be the 81st
+    const std::vector<SetMember> members{{document, profile, std::nullopt, "knight"},
+                                         {document, profile, std::nullopt, "../a:b"},
+                                         {document, profile, std::nullopt, longName}};
+    const std::filesystem::path set = folder / "set.svo";
+    ASSERT_TRUE(writeFileAtomically(set, test::must(exportSvoSet(members))));
+    const auto titleOf = [&](std::size_t entity) {
+        Session session;
+        ReadOptions options;
+        options.entity = entity;
+        const Status opened = session.open(set, options);
+        EXPECT_TRUE(opened) << opened.error().describe();
+        return session.title();
+    };
+    // A file can be called so.
+    EXPECT_EQ(titleOf(1), "_._a_b");
+    EXPECT_EQ(titleOf(2), std::string(79, 'x'));
+
+    Session session;
+    ReadOptions first;
+    first.entity = 0;
+    EXPECT_FALSE(session.open(set));  // which one?
+    ASSERT_TRUE(session.open(set, first));
+    EXPECT_EQ(session.title(), "knight");
+    EXPECT_EQ(session.path(), set);
+    EXPECT_FALSE(session.hasNativePath());
+    ASSERT_TRUE(session.saveAs(folder / "mine.voxprite"));
+    EXPECT_EQ(session.title(), "mine");
+    // What a crash left of it is called as it was.
+    Session recovered;
+    ASSERT_TRUE(recovered.recover(folder / "mine.voxprite", profile, set));
+    EXPECT_EQ(recovered.title(), "knight");
+    ASSERT_TRUE(recovered.startNew());
+    EXPECT_EQ(recovered.title(), "Untitled");
 }
 
 }  // namespace
