@@ -18,9 +18,9 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr float kWidth = 560.0f, kRow = 64.0f, kTile = 56.0f;
-constexpr int kTilePx = 48;  // what the tile has room for at content scale 1
-constexpr std::size_t kRows = 6;
+constexpr float kEntitiesWidth = 560.0f, kEntityRow = 64.0f, kEntityTile = 56.0f;
+constexpr int kEntityTilePx = 48;  // what the tile has room for at content scale 1
+constexpr std::size_t kEntitiesShown = 6;
 
 std::string figuresText(const EntityFigures& figures) {
     const glm::ivec3 size = figures.size;
@@ -92,8 +92,8 @@ void EntityDialog::see(const Ui& ui, Row& row) {
     Palette palette;
     palette.colours = entity.palette;
     const IBox bounds{octree.origin, octree.origin + octree.size};
-    const auto sprite =
-        smallSprite({octree.view(), bounds, Entity{}, ui.session.profile(), palette}, kTilePx);
+    const auto sprite = smallSprite(
+        {octree.view(), bounds, Entity{}, ui.session.profile(), palette}, kEntityTilePx);
     row.picture.set(sprite ? sprite->image() : Image{});
 }
 
@@ -118,8 +118,8 @@ void EntityDialog::moveByKeys() {
     const std::size_t before = chosen_, last = found_.size() - 1;
     if (repeats(ImGuiKey_DownArrow)) chosen_ = std::min(chosen_ + 1, last);
     if (repeats(ImGuiKey_UpArrow)) chosen_ -= std::min<std::size_t>(chosen_, 1);
-    if (repeats(ImGuiKey_PageDown)) chosen_ = std::min(chosen_ + kRows, last);
-    if (repeats(ImGuiKey_PageUp)) chosen_ -= std::min(chosen_, kRows);
+    if (repeats(ImGuiKey_PageDown)) chosen_ = std::min(chosen_ + kEntitiesShown, last);
+    if (repeats(ImGuiKey_PageUp)) chosen_ -= std::min(chosen_, kEntitiesShown);
     // In a text these keys belong to it.
     if (!ImGui::GetIO().WantTextInput) {
         if (repeats(ImGuiKey_Home)) chosen_ = 0;
@@ -133,7 +133,7 @@ void EntityDialog::moveByKeys() {
 void EntityDialog::drawRow(Ui& ui, Row& row, ImVec2 corner, ImVec2 size) {
     const Theme& theme = ui.theme;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float air = std::round((size.y - theme.px(kTile)) * 0.5f);
+    const float air = std::round((size.y - theme.px(kEntityTile)) * 0.5f);
     float x = corner.x + air;
     if (asks_ == Asks::some) {
         const float box = theme.px(18);
@@ -150,8 +150,8 @@ void EntityDialog::drawRow(Ui& ui, Row& row, ImVec2 corner, ImVec2 size) {
         }
         x = max.x + theme.px(12);
     }
-    drawPictureTile(theme, {x, corner.y + air}, theme.px(kTile), row.picture);
-    x += theme.px(kTile + 14);
+    drawPictureTile(theme, {x, corner.y + air}, theme.px(kEntityTile), row.picture);
+    x += theme.px(kEntityTile + 14);
     const float lines = theme.fonts.text->FontSize + theme.fonts.small->FontSize + theme.px(4);
     const float y = std::round(corner.y + (size.y - lines) * 0.5f);
     const ImVec4 clip(corner.x, corner.y, corner.x + size.x - theme.px(8), corner.y + size.y);
@@ -167,12 +167,12 @@ bool EntityDialog::drawList(Ui& ui) {
     const Theme& theme = ui.theme;
     bool twice = false;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    const auto shown = static_cast<float>(std::min(rows_.size(), kRows));
-    ImGui::BeginChild("entities", {0.0f, shown * theme.px(kRow)});
+    const auto shown = static_cast<float>(std::min(rows_.size(), kEntitiesShown));
+    ImGui::BeginChild("entities", {0.0f, shown * theme.px(kEntityRow)});
     for (std::size_t k = 0; k < found_.size(); ++k) {
         Row& row = rows_[found_[k]];
         const ImVec2 corner = ImGui::GetCursorScreenPos();
-        const ImVec2 size(ImGui::GetContentRegionAvail().x, theme.px(kRow));
+        const ImVec2 size(ImGui::GetContentRegionAvail().x, theme.px(kEntityRow));
         const ImVec2 max(corner.x + size.x, corner.y + size.y);
         ImGui::PushID(static_cast<int>(row.index));
         if (ImGui::InvisibleButton("row", size)) {
@@ -241,7 +241,7 @@ bool EntityDialog::drawFooter(Ui& ui, bool listens) {
 std::optional<EntityDialog::Answer> EntityDialog::draw(Ui& ui) {
     if (!isOpen()) return std::nullopt;
     const char* title = asks_ == Asks::one ? "Open which one?" : "Add which ones?";
-    if (!beginDialog(ui, "##entities", title, kWidth)) return std::nullopt;
+    if (!beginDialog(ui, "##entities", title, kEntitiesWidth)) return std::nullopt;
     // The key that chose the file does not answer this, too.
     const bool listens = !ImGui::IsWindowAppearing();
     std::string text =
@@ -252,7 +252,7 @@ std::optional<EntityDialog::Answer> EntityDialog::draw(Ui& ui) {
     ImGui::TextWrapped("%s", text.c_str());
     ImGui::PopStyleColor();
     ImGui::Dummy(ui.theme.px(0, 2));
-    if (rows_.size() > kRows) drawSearch(ui);
+    if (rows_.size() > kEntitiesShown) drawSearch(ui);
     if (listens && !found_.empty()) moveByKeys();
     const bool twice = drawList(ui);
     std::optional<Answer> chosen;

@@ -16,7 +16,7 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr float kWidth = 1120.0f, kHeight = 764.0f, kSettingsWidth = 312.0f;
+constexpr float kSheetWidth = 1120.0f, kSheetHeight = 764.0f, kSettingsWidth = 312.0f;
 
 constexpr std::array kUsualDirections{4, 8, 16, 32};
 constexpr std::array kDirectionChoices{Choice{"4", "Front, right, back and left"}, Choice{"8", ""},
@@ -361,7 +361,8 @@ std::optional<SheetExport> SheetDialog::accept(Ui& ui) {
 
 std::optional<SheetExport> SheetDialog::draw(Ui& ui) {
     if (!open_ || ui.context.files.isBrowsing()) return std::nullopt;
-    if (!beginDialog(ui, "##sheet", "Export sprite sheet", kWidth, kHeight)) return std::nullopt;
+    if (!beginDialog(ui, "##sheet", "Export sprite sheet", kSheetWidth, kSheetHeight))
+        return std::nullopt;
     follow(ui);
     const Theme& theme = ui.theme;
     const float below = theme.px(30 + 8 + 24 + 8 + 12);
