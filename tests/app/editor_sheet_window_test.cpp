@@ -1,5 +1,7 @@
 // Sprite sheets from the window: the same files, byte for byte, as from the command line.
 
+#include <fstream>
+
 #include "core/io/formats.h"
 #include "tests/app/editor_window.h"
 #include "tests/support/voxels.h"

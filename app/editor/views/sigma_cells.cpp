@@ -10,9 +10,9 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr ImU32 kPill = IM_COL32(16, 17, 19, 215);
-constexpr ImU32 kPillText = IM_COL32(240, 241, 243, 255);
-constexpr ImU32 kPillDim = IM_COL32(200, 203, 208, 255);
+constexpr ImU32 kCellPill = IM_COL32(16, 17, 19, 215);
+constexpr ImU32 kCellText = IM_COL32(240, 241, 243, 255);
+constexpr ImU32 kCellDim = IM_COL32(200, 203, 208, 255);
 
 void useSigma(Ui& ui, double sigma, bool merge) {
     const GameProfile& before = ui.session.profile();
@@ -47,8 +47,8 @@ void drawCaption(Ui& ui, ImVec2 lowerLeft, int index) {
     ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, theme.px(6));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, theme.px(8, 3));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, theme.px(6, 3));
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, kPill);
-    ImGui::PushStyleColor(ImGuiCol_Text, kPillText);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, kCellPill);
+    ImGui::PushStyleColor(ImGuiCol_Text, kCellText);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(255, 255, 255, 26));
     ImGui::PushStyleColor(ImGuiCol_FrameBgHovered, IM_COL32(255, 255, 255, 44));
     ImGui::PushStyleColor(ImGuiCol_FrameBgActive, IM_COL32(255, 255, 255, 60));
@@ -115,8 +115,8 @@ void showSigmaCells(Ui& ui, const ViewCanvas& canvas, std::span<const CellArea> 
         if (!detail.empty()) {
             const ImVec2 at(min.x + theme.px(10), max.y - text.y - theme.px(52));
             draw.AddRectFilled(at, {at.x + text.x + theme.px(16), at.y + text.y + theme.px(8)},
-                               kPill, theme.px(6));
-            draw.AddText(small, small->FontSize, {at.x + theme.px(8), at.y + theme.px(4)}, kPillDim,
+                               kCellPill, theme.px(6));
+            draw.AddText(small, small->FontSize, {at.x + theme.px(8), at.y + theme.px(4)}, kCellDim,
                          detail.c_str(), nullptr, wrap);
         }
         if (comparison.inForce == static_cast<int>(i)) {
