@@ -10,8 +10,8 @@ namespace voxprite {
 
 namespace {
 
-constexpr std::size_t kGroup = 64;           // local_size_x of ray_batch.comp
-constexpr std::size_t kGroupsAcross = 1024;  // the rest are rows
+constexpr std::size_t kRaysAGroup = 64;         // local_size_x of ray_batch.comp
+constexpr std::size_t kRayGroupsAcross = 1024;  // the rest are rows
 
 struct BatchRay {
     glm::ivec3 origin{0};
@@ -65,8 +65,8 @@ void RayBatch::cast(const GpuOctree& octree) {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(BufferBinding::rayHits),
                      hits_.id());
     gl::useProgram(program_);
-    const std::size_t groups = (count_ + kGroup - 1) / kGroup;
-    const std::size_t across = std::min(groups, kGroupsAcross);
+    const std::size_t groups = (count_ + kRaysAGroup - 1) / kRaysAGroup;
+    const std::size_t across = std::min(groups, kRayGroupsAcross);
     glDispatchCompute(static_cast<GLuint>(across),
                       static_cast<GLuint>((groups + across - 1) / across), 1);
 }

@@ -115,11 +115,11 @@ namespace {
 
 // What a program is compiled with, as a sum.
 using Variants = unsigned;
-constexpr Variants kPlain = 0;
-constexpr Variants kSunShadow = 1;   // voxels stand in the light
-constexpr Variants kFaceShade = 2;   // faces cast rays of their own
-constexpr Variants kDepthLimit = 4;  // to a depth above the voxels
-constexpr Variants kMarked = 8;      // no light: covered by a tint
+constexpr Variants kBare = 0;
+constexpr Variants kSunShadow = 1;       // voxels stand in the light
+constexpr Variants kVoxelFaceShade = 2;  // faces cast rays of their own
+constexpr Variants kDepthLimit = 4;      // to a depth above the voxels
+constexpr Variants kMarked = 8;          // no light: covered by a tint
 
 // A program in all variants, each compiled when it is first used.
 class VariantProgram {
@@ -131,7 +131,7 @@ class VariantProgram {
         if (found != programs_.end()) return found->second.useOrSay();
         std::vector<std::string> defines;
         if ((variants & kSunShadow) != 0) defines.emplace_back("SUN_SHADOW");
-        if ((variants & kFaceShade) != 0) defines.emplace_back("FACE_SHADE");
+        if ((variants & kVoxelFaceShade) != 0) defines.emplace_back("FACE_SHADE");
         if ((variants & kDepthLimit) != 0) defines.emplace_back("DEPTH_LIMIT");
         if ((variants & kMarked) != 0) defines.emplace_back("MARKED");
         programs_.try_emplace(variants, vertex_, fragment_, std::move(defines))
@@ -144,7 +144,8 @@ class VariantProgram {
 };
 
 Variants lookVariants(const VoxelViewOptions& options) {
-    return (options.shadow ? kSunShadow : kPlain) | (facesCastRays(options) ? kFaceShade : kPlain);
+    return (options.shadow ? kSunShadow : kBare) |
+           (facesCastRays(options) ? kVoxelFaceShade : kBare);
 }
 
 }  // namespace
@@ -319,7 +320,7 @@ void VoxelView::Impl::drawVoxels(const GpuOctree& octree, const Palette& colours
     gl::apply(state);
     // One limited in depth is rare: in all others' shade, it needs no variants of its own.
     const bool limited = leafLevel(octree, options) > 0;
-    voxels.useOrSay(lookVariants(options) | (limited ? kDepthLimit | kFaceShade : kPlain));
+    voxels.useOrSay(lookVariants(options) | (limited ? kDepthLimit | kVoxelFaceShade : kBare));
     glDrawArrays(GL_TRIANGLES, 0, 36);
 }
 
@@ -351,7 +352,7 @@ void VoxelView::draw(Frame& frame, const GpuOctree& octree, const Palette& palet
     frame.begin(options.backgroundBottom);
     impl_->setView(octree, placed, camera, options, {});
     gl::apply({});
-    impl_->backdrop.useOrSay(options.shadow ? kSunShadow : kPlain);
+    impl_->backdrop.useOrSay(options.shadow ? kSunShadow : kBare);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     if (options.clusters != nullptr && impl_->canDrawClusters()) {
         impl_->drawClusters(octree, palette, placed, camera, options);

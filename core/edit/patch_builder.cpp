@@ -11,7 +11,6 @@ namespace voxprite {
 
 namespace {
 
-const IBox kRange{glm::ivec3(-kMaxCoordinate), glm::ivec3(kMaxCoordinate + 1)};
 // Of solid cubes, 32 times what a patch may change.
 constexpr std::uint64_t kMaxCubes = std::uint64_t{1} << 21;
 
@@ -52,7 +51,7 @@ void PatchBuilder::set(glm::ivec3 origin, CubeBytes after) {
 }
 
 void PatchBuilder::keepWithinLimits(Cube& cube) const {
-    IBox box = limits_.box ? limits_.box->intersected(kRange) : kRange;
+    IBox box = limits_.box ? limits_.box->intersected(voxelRange()) : voxelRange();
     box = box.intersected({cube.origin, cube.origin + kCubeEdge});
     CubeBits allowed = boxBits(box, cube.origin);
     if (limits_.only != nullptr) {

@@ -6,8 +6,6 @@ namespace voxprite {
 
 namespace {
 
-const IBox kRange{glm::ivec3(-kMaxCoordinate), glm::ivec3(kMaxCoordinate + 1)};
-
 // One step of one axis, as `rotation` turns it.
 struct Steps {
     glm::ivec3 x, y, z;
@@ -114,7 +112,8 @@ VoxelGrid transformed(const VoxelGrid& voxels, const Placement& placement) {
     const Steps step(placement.rotation);
     voxels.forEachBlock([&](const VoxelBlock& block) {
         if (block.voxels == nullptr) {
-            result.fill(placement.applyToBox(block.box()).intersected(kRange), block.uniformValue);
+            result.fill(placement.applyToBox(block.box()).intersected(voxelRange()),
+                        block.uniformValue);
             return;
         }
         const glm::ivec3 first = placement.applyToVoxel(block.origin);

@@ -7,7 +7,7 @@ namespace voxprite {
 
 namespace {
 
-bool comesBefore(const VoxelChange& a, const VoxelChange& b) {
+bool changeComesBefore(const VoxelChange& a, const VoxelChange& b) {
     return std::tie(a.position.x, a.position.y, a.position.z) <
            std::tie(b.position.x, b.position.y, b.position.z);
 }
@@ -28,8 +28,8 @@ void joinRuns(std::vector<VoxelChange>& sorted) {
 }  // namespace
 
 std::vector<VoxelChange> uniqueChanges(std::vector<VoxelChange> changes) {
-    if (!std::is_sorted(changes.begin(), changes.end(), comesBefore)) {
-        std::stable_sort(changes.begin(), changes.end(), comesBefore);
+    if (!std::is_sorted(changes.begin(), changes.end(), changeComesBefore)) {
+        std::stable_sort(changes.begin(), changes.end(), changeComesBefore);
     }
     joinRuns(changes);
     return changes;
@@ -43,14 +43,14 @@ void mergeChanges(std::vector<VoxelChange>& earlier, const std::vector<VoxelChan
     const auto known = static_cast<std::ptrdiff_t>(earlier.size());
     for (const VoxelChange& change : later) {
         const auto end = earlier.begin() + known;
-        const auto found = std::lower_bound(earlier.begin(), end, change, comesBefore);
+        const auto found = std::lower_bound(earlier.begin(), end, change, changeComesBefore);
         if (found != end && found->position == change.position) {
             found->after = change.after;
         } else {
             earlier.push_back(change);
         }
     }
-    std::inplace_merge(earlier.begin(), earlier.begin() + known, earlier.end(), comesBefore);
+    std::inplace_merge(earlier.begin(), earlier.begin() + known, earlier.end(), changeComesBefore);
     dropUnchanged(earlier);
 }
 

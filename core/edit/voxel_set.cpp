@@ -9,7 +9,6 @@ namespace {
 
 constexpr int kEdge = 8;
 constexpr std::size_t kBlockVoxels = 512;
-const IBox kRange{glm::ivec3(-kMaxCoordinate), glm::ivec3(kMaxCoordinate + 1)};
 
 // The bytes of a cube of 8 of whatever block holds it, each `choose`(own, other).
 template <class Choose>
@@ -38,7 +37,7 @@ void VoxelSet::insert(glm::ivec3 v) {
 }
 
 void VoxelSet::insert(const IBox& box) {
-    members_.fill(box.intersected(kRange), 1);
+    members_.fill(box.intersected(voxelRange()), 1);
 }
 
 void VoxelSet::erase(glm::ivec3 v) {
@@ -48,7 +47,7 @@ void VoxelSet::erase(glm::ivec3 v) {
 void VoxelSet::insertBlock(glm::ivec3 origin, const std::uint8_t* voxels) {
     const VoxelBlock given{origin, kEdge, 0, voxels};
     const IBox box = given.box();
-    if (box.intersected(kRange) == box) {
+    if (box.intersected(voxelRange()) == box) {
         members_.setBlock(origin,
                           combinedBytes(members_.blockAt(origin), given, [](bool a, bool b) {
                               return a || b;
@@ -82,7 +81,7 @@ void VoxelSet::subtract(const VoxelSet& other) {
             own.voxels == nullptr && own.uniformValue == 0 && own.edgeVoxels >= block.edgeVoxels;
         if (nothingThere) return;
         if (block.edgeVoxels > kEdge) {
-            members_.fill(block.box().intersected(kRange), 0);
+            members_.fill(block.box().intersected(voxelRange()), 0);
         } else {
             members_.setBlock(block.origin, combinedBytes(own, block, [](bool a, bool b) {
                                                 return a && !b;

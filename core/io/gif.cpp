@@ -11,7 +11,7 @@
 namespace voxprite {
 namespace {
 
-constexpr int kMaxEdge = 65'535;
+constexpr int kMaxGifEdge = 65'535;
 constexpr int kTransparent = 0;  // in the table of colours; the palette begins at 1
 constexpr std::uint8_t kLeastAlpha = 128;
 
@@ -100,8 +100,9 @@ std::optional<std::string> lossOf(const Colours& colours) {
 Result<GifImage> writeGif(std::span<const AnimationFrame> frames) {
     if (frames.empty()) return fail("an animation needs a frame");
     const Image& first = frames.front().image;
-    if (first.width < 1 || first.height < 1 || first.width > kMaxEdge || first.height > kMaxEdge) {
-        return fail("a GIF has 1 to " + std::to_string(kMaxEdge) + " pixels an edge, not " +
+    if (first.width < 1 || first.height < 1 || first.width > kMaxGifEdge ||
+        first.height > kMaxGifEdge) {
+        return fail("a GIF has 1 to " + std::to_string(kMaxGifEdge) + " pixels an edge, not " +
                     std::to_string(first.width) + " x " + std::to_string(first.height));
     }
     for (const AnimationFrame& frame : frames) {

@@ -14,7 +14,6 @@ namespace voxprite {
 namespace {
 
 using vdb::Grid;
-using vdb::Kind;
 using vdb::Value;
 
 bool isLevelSet(const Grid& grid) {
@@ -98,8 +97,8 @@ class Import {
 
     static bool isIndexed(const Grid& grid) {
         if (!grid.type || grid.isInstance) return false;
-        const Kind kind = grid.type->kind;
-        return kind == Kind::whole || kind == Kind::boolean || kind == Kind::mask;
+        const vdb::Kind kind = grid.type->kind;
+        return kind == vdb::Kind::whole || kind == vdb::Kind::boolean || kind == vdb::Kind::mask;
     }
     bool isWanted(const Grid& grid) const {
         return options_.grid.empty() || grid.name == options_.grid;
@@ -189,13 +188,13 @@ class Import {
 
     // A level set or density, with colours beside it; or colours alone.
     Status shaped() {
-        const auto isReal = [](const Grid& g) { return g.type->kind == Kind::real; };
-        const auto isVector = [](const Grid& g) { return g.type->kind == Kind::vector; };
+        const auto isReal = [](const Grid& g) { return g.type->kind == vdb::Kind::real; };
+        const auto isVector = [](const Grid& g) { return g.type->kind == vdb::Kind::vector; };
         const Grid* shape = firstOf(
-            [](const Grid& g) { return g.type->kind == Kind::real && g.name == "density"; });
+            [](const Grid& g) { return g.type->kind == vdb::Kind::real && g.name == "density"; });
         if (shape == nullptr) {
-            shape =
-                firstOf([](const Grid& g) { return g.type->kind == Kind::real && isLevelSet(g); });
+            shape = firstOf(
+                [](const Grid& g) { return g.type->kind == vdb::Kind::real && isLevelSet(g); });
         }
         if (shape == nullptr) shape = firstOf(isReal);
         if (shape == nullptr) shape = firstOf(isVector);
@@ -234,7 +233,7 @@ class Import {
         const Grid* only = nullptr;
         int count = 0;
         for (const Grid& grid : file_.grids) {
-            if (!grid.type || grid.isInstance || grid.type->kind != Kind::vector) continue;
+            if (!grid.type || grid.isInstance || grid.type->kind != vdb::Kind::vector) continue;
             std::string name = grid.name;
             std::ranges::transform(name, name.begin(), [](char c) {
                 return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

@@ -10,7 +10,7 @@ namespace voxprite {
 
 namespace {
 
-constexpr int kMaxEdge = 256;
+constexpr int kPieceEdge = 256;
 
 // The smallest size whose pivot, floor(size / 2), can lie at the origin with `box` around it; the
 // canvas itself where it is such a box already.
@@ -19,7 +19,7 @@ std::optional<glm::ivec3> sizeAroundPivot(const IBox& box) {
     for (int axis = 0; axis < 3; ++axis) {
         // floor(size / 2) >= -min and ceil(size / 2) >= max
         size[axis] = std::max({1, -2 * box.min[axis], 2 * box.max[axis] - 1});
-        if (size[axis] > kMaxEdge) return std::nullopt;
+        if (size[axis] > kPieceEdge) return std::nullopt;
     }
     return size;
 }
@@ -39,19 +39,19 @@ VoxPiece pieceAroundPivot(const VoxelGrid& grid, glm::ivec3 size) {
 }
 
 int tileOf(int coordinate) {
-    return coordinate >= 0 ? coordinate / kMaxEdge : (coordinate + 1) / kMaxEdge - 1;
+    return coordinate >= 0 ? coordinate / kPieceEdge : (coordinate + 1) / kPieceEdge - 1;
 }
 
 void appendTiles(const VoxelGrid& grid, VoxPieces& result, std::vector<PlacedPiece>& placed) {
     std::map<std::array<int, 3>, Bytes> tiles;
     grid.forEachSolid([&](glm::ivec3 v, std::uint8_t value) {
         const glm::ivec3 tile(tileOf(v.x), tileOf(v.y), tileOf(v.z));
-        append(tiles[{tile.x, tile.y, tile.z}], v - tile * kMaxEdge, value);
+        append(tiles[{tile.x, tile.y, tile.z}], v - tile * kPieceEdge, value);
     });
     for (auto& [tile, voxels] : tiles) {
-        const glm::ivec3 origin = glm::ivec3(tile[0], tile[1], tile[2]) * kMaxEdge;
-        placed.push_back({origin + kMaxEdge / 2, static_cast<int>(result.pieces.size())});
-        result.pieces.push_back({glm::ivec3(kMaxEdge), std::move(voxels)});
+        const glm::ivec3 origin = glm::ivec3(tile[0], tile[1], tile[2]) * kPieceEdge;
+        placed.push_back({origin + kPieceEdge / 2, static_cast<int>(result.pieces.size())});
+        result.pieces.push_back({glm::ivec3(kPieceEdge), std::move(voxels)});
     }
 }
 

@@ -6,7 +6,7 @@
 namespace voxprite {
 namespace {
 
-constexpr std::string_view kMagic = "VXL1";
+constexpr std::string_view kPayloadMark = "VXL1";
 constexpr int kDenseEdgeLog2 = 3;
 constexpr int kMaxEdgeLog2 = 9;
 constexpr std::size_t kDenseVoxels = 512;
@@ -26,7 +26,7 @@ bool withinLimits(glm::ivec3 v) {
     return glm::clamp(v, -kMaxCoordinate, kMaxCoordinate) == v;
 }
 
-Result<BlockHeader> readHeader(ByteReader& reader) {
+Result<BlockHeader> readBlockHeader(ByteReader& reader) {
     const std::uint64_t start = reader.offset();
     // One bounded take, then fields that cannot fail.
     const Result<ByteView> bytes = reader.take(kBlockHeaderBytes, "a block of voxels");
@@ -51,7 +51,7 @@ Result<BlockHeader> readHeader(ByteReader& reader) {
 
 Status readBlock(ByteReader& reader, VoxelGrid& grid) {
     const std::uint64_t start = reader.offset();
-    const Result<BlockHeader> header = readHeader(reader);
+    const Result<BlockHeader> header = readBlockHeader(reader);
     if (!header) return Failure(header.error());
     const IBox box{header->origin, header->origin + header->edgeVoxels};
     if (header->value != 0) {
@@ -75,7 +75,7 @@ Status readBlock(ByteReader& reader, VoxelGrid& grid) {
 
 Result<Bytes> writeVoxelPayload(const VoxelGrid& voxels) {
     ByteWriter writer;
-    writer.raw(kMagic);
+    writer.raw(kPayloadMark);
     writer.u32(0);
     std::uint64_t blocks = 0;
     bool knownSizes = true;
@@ -106,21 +106,21 @@ Result<Bytes> writeVoxelPayload(const VoxelGrid& voxels) {
     });
     if (!knownSizes) return fail("the grid holds blocks of a size that the format does not know");
     if (blocks > UINT32_MAX) return fail("a model has more than 4,294,967,295 blocks of voxels");
-    writer.patchU32(kMagic.size(), static_cast<std::uint32_t>(blocks));
+    writer.patchU32(kPayloadMark.size(), static_cast<std::uint32_t>(blocks));
     return writer.release();
 }
 
 Result<VoxelGrid> readVoxelPayload(ByteView bytes) {
     ByteReader reader(bytes);
-    const Result<ByteView> magic = reader.take(kMagic.size(), "the voxels' mark");
+    const Result<ByteView> magic = reader.take(kPayloadMark.size(), "the voxels' mark");
     if (!magic) return Failure(magic.error());
-    if (!std::equal(magic->begin(), magic->end(), kMagic.begin())) {
+    if (!std::equal(magic->begin(), magic->end(), kPayloadMark.begin())) {
         return failAtByte(0, "these are not voxels of a .voxprite file");
     }
     const Result<std::uint32_t> count = reader.u32("the number of blocks");
     if (!count) return Failure(count.error());
     if (*count > reader.remaining() / kBlockHeaderBytes) {
-        return failAtByte(kMagic.size(), "more blocks of voxels are claimed than there are");
+        return failAtByte(kPayloadMark.size(), "more blocks of voxels are claimed than there are");
     }
     VoxelGrid grid;
     for (std::uint32_t k = 0; k < *count; ++k) {

@@ -18,6 +18,9 @@ inline constexpr int kMaxCoordinate = 1 << 24;
     const auto inRange = [](int x) { return x >= -kMaxCoordinate && x <= kMaxCoordinate; };
     return inRange(v.x) && inRange(v.y) && inRange(v.z);
 }
+[[nodiscard]] inline IBox voxelRange() {
+    return IBox::around(glm::ivec3(-kMaxCoordinate), glm::ivec3(kMaxCoordinate));
+}
 
 // A cube of voxels handed out by forEachBlock or blockAt, aligned to its edge, a power of eight.
 // When `voxels` is null every voxel in the cube is `uniformValue` (never 0); else edgeVoxels is 8

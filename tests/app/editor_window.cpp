@@ -13,7 +13,7 @@ namespace voxprite::test {
 namespace {
 
 // How long something may take before it counts as never; generous, a busy machine is no failure.
-constexpr std::chrono::seconds kNever(90);
+constexpr std::chrono::seconds kEditorTooSlow(90);
 constexpr std::chrono::milliseconds kBetweenLooks(20);
 
 }  // namespace
@@ -78,7 +78,7 @@ nlohmann::json EditorWindow::state() const {
 
 void EditorWindow::await(const std::string& what,
                          const std::function<bool(const nlohmann::json&)>& holds) {
-    const auto deadline = std::chrono::steady_clock::now() + kNever;
+    const auto deadline = std::chrono::steady_clock::now() + kEditorTooSlow;
     while (std::chrono::steady_clock::now() < deadline) {
         const nlohmann::json now = layout();
         if (now.is_object() && holds(now)) return;

@@ -12,8 +12,6 @@
 namespace voxprite::conformance {
 namespace {
 
-constexpr double kTinyTurn = 1e-7;  // radians
-
 using Point = std::array<long double, 3>;
 
 bool differ(const LatticeHit& a, const LatticeHit& b) {
@@ -28,7 +26,7 @@ LatticeHit castSample(const OctreeView& octree, const OrthoView& view, const Poi
 // `offsetPx` from the model's centre.
 double flippedCentred(const Subject& subject, const OrthoView& view, double offsetPx) {
     const OctreeView octree = subject.octree.view();
-    const OrthoView after = turned(view, kTinyTurn);
+    const OrthoView after = turned(view, kTinyTurnRadians);
     const LatticeView bounds = quantised(view, subject.octree.size);
     double shown = 0.0;
     double flipped = 0.0;
@@ -47,7 +45,7 @@ double flippedCentred(const Subject& subject, const OrthoView& view, double offs
 
 double flippedOurs(const Subject& subject, const OrthoView& view) {
     const LatticeView before = quantised(view, subject.octree.size);
-    LatticeView after = quantised(turned(view, kTinyTurn), subject.octree.size);
+    LatticeView after = quantised(turned(view, kTinyTurnRadians), subject.octree.size);
     after.first = before.first;
     after.size = before.size;
     const SpriteBuffer a = cast(subject.octree, before);

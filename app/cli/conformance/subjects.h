@@ -63,4 +63,6 @@ class Sequence {
     std::uint64_t state_;
 };
 
+inline constexpr double kTinyTurnRadians = 1e-7;  // of a view, to see what it changes
+
 }  // namespace voxprite::conformance

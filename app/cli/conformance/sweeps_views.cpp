@@ -12,7 +12,6 @@
 namespace voxprite::conformance {
 namespace {
 
-constexpr double kTinyTurn = 1e-7;  // radians
 // A share of fewer pixels than this says nothing.
 constexpr double kLeastShown = 1000.0;
 
@@ -105,9 +104,9 @@ Sweep sweepTurns(GpuProbe& probe) {
                     (subject.name == "noise" ? noisy : solid) += one;
                     if (one.shown >= kLeastShown)
                         worstVoxel = std::max(worstVoxel, percent(one.voxel, one.shown));
-                    const double changed =
-                        changedPercent(subject.octree, *lattice,
-                                       quantised(turned(ortho, kTinyTurn), subject.octree.size));
+                    const double changed = changedPercent(
+                        subject.octree, *lattice,
+                        quantised(turned(ortho, kTinyTurnRadians), subject.octree.size));
                     double& worst = turn == 0.0 ? exactChanged : turnedChanged;
                     worst = std::max(worst, changed);
                 }

@@ -12,7 +12,7 @@ namespace {
 constexpr double kTrembleRadians = 1e-3;
 
 // Ways round the model, in degrees a frame.
-struct Way {
+struct TurnWay {
     OrbitAngles start;
     double yawPerFrame;
     double pitchPerFrame;
@@ -21,9 +21,9 @@ constexpr int kFramesAWay = 240;
 constexpr int kFramesTrembling = 60;
 constexpr int kFramesAComparison = 5;  // with the exact view
 // The pitch drifts, so that no step has it among its views by chance.
-constexpr std::array<Way, 3> kWays{Way{{3.7, 17.2, 0.0}, kTurnPerFrameDegrees, 0.014},
-                                   Way{{131.3, 38.6, 0.0}, kTurnPerFrameDegrees, -0.022},
-                                   Way{{77.0, 12.0, 0.0}, 0.08, 0.06}};
+constexpr std::array<TurnWay, 3> kWays{TurnWay{{3.7, 17.2, 0.0}, kTurnPerFrameDegrees, 0.014},
+                                       TurnWay{{131.3, 38.6, 0.0}, kTurnPerFrameDegrees, -0.022},
+                                       TurnWay{{77.0, 12.0, 0.0}, 0.08, 0.06}};
 
 // A sprite as it is shown: colours by the pixel's place on the grid.
 struct Shown {
@@ -87,7 +87,7 @@ class SnappedViewer {
     double changed_ = 0.0;
 };
 
-void measureWay(const TurningModel& model, const Way& way, std::vector<TurnFigures>& sums) {
+void measureWay(const TurningModel& model, const TurnWay& way, std::vector<TurnFigures>& sums) {
     SnappedViewer exact(model, 0.0);
     std::vector<SnappedViewer> viewers;
     viewers.reserve(sums.size());
@@ -109,15 +109,15 @@ void measureWay(const TurningModel& model, const Way& way, std::vector<TurnFigur
 }
 
 // The camera stands still but for a trembling of the hand.
-void measureTremble(const TurningModel& model, const Way& way, std::vector<TurnFigures>& sums) {
-    constexpr double kDegrees = kTrembleRadians * 57.29577951308232;
+void measureTremble(const TurningModel& model, const TurnWay& way, std::vector<TurnFigures>& sums) {
+    constexpr double kTrembleDegrees = kTrembleRadians * 57.29577951308232;
     for (TurnFigures& figures : sums) {
         SnappedViewer viewer(model, figures.stepDegrees);
         Sequence random(11);
         for (int frame = 0; frame <= kFramesTrembling; ++frame) {
             const Camera camera =
-                orbit(way.start.yawDegrees + random.between(-kDegrees, kDegrees),
-                      way.start.pitchDegrees + random.between(-kDegrees, kDegrees),
+                orbit(way.start.yawDegrees + random.between(-kTrembleDegrees, kTrembleDegrees),
+                      way.start.pitchDegrees + random.between(-kTrembleDegrees, kTrembleDegrees),
                       viewer.distanceMetres());
             const bool changed = viewer.look(camera);
             figures.changedByTremble += frame > 0 && changed && viewer.changed() > 0.0 ? 1.0 : 0.0;
@@ -133,7 +133,7 @@ std::vector<TurnFigures> measureTurns(const std::vector<TurningModel>& models,
     figures.reserve(stepsDegrees.size());
     for (const double step : stepsDegrees) figures.push_back({.stepDegrees = step});
     for (const TurningModel& model : models)
-        for (const Way& way : kWays) {
+        for (const TurnWay& way : kWays) {
             measureWay(model, way, figures);
             measureTremble(model, way, figures);
         }

@@ -21,7 +21,7 @@ bool hasSelection(const CommandContext& c) {
 bool hasFloating(const CommandContext& c) {
     return c.session.selection().floating().has_value();
 }
-bool hasVoxels(const CommandContext& c) {
+bool hasAnything(const CommandContext& c) {
     return hasFloating(c) || !c.session.bounds().empty();
 }
 bool movesSomething(const CommandContext& c) {
@@ -123,7 +123,7 @@ constexpr Command reshapeCommand(Command command) {
     command.group = "Reshape";
     command.settles = true;
     command.run = reshape<kind>;
-    command.enabled = hasVoxels;
+    command.enabled = hasAnything;
     return command;
 }
 
@@ -131,7 +131,7 @@ constexpr Command arrangeCommand(const char* group, Command command) {
     command.menu = MenuId::select;
     command.group = group;
     command.repeats = true;
-    command.enabled = std::string_view(group) == "Move" ? movesSomething : hasVoxels;
+    command.enabled = std::string_view(group) == "Move" ? movesSomething : hasAnything;
     return command;
 }
 
@@ -164,7 +164,7 @@ std::span<const Command> clipboardCommands() {
                 .chords = {control(GLFW_KEY_C)},
                 .settles = true,
                 .run = [](CommandContext& c) { c.report(copySelection(c.session)); },
-                .enabled = hasVoxels},
+                .enabled = hasAnything},
         Command{.id = pasteVoxels,
                 .tag = "paste",
                 .menu = MenuId::edit,
@@ -190,7 +190,7 @@ std::span<const Command> clipboardCommands() {
                 .chords = {control(GLFW_KEY_D)},
                 .settles = true,
                 .run = [](CommandContext& c) { floatNow(c, duplicateSelection(c.session)); },
-                .enabled = hasVoxels},
+                .enabled = hasAnything},
         Command{.id = deleteVoxels,
                 .tag = "delete",
                 .menu = MenuId::edit,
@@ -219,7 +219,7 @@ std::span<const Command> selectionCommands() {
                 .chords = {control(GLFW_KEY_A)},
                 .settles = true,
                 .run = [](CommandContext& c) { c.report(selectEverything(c.session)); },
-                .enabled = hasVoxels},
+                .enabled = hasAnything},
         Command{
             .id = selectNone,
             .tag = "select_none",
@@ -238,7 +238,7 @@ std::span<const Command> selectionCommands() {
                 .chords = {control(GLFW_KEY_I)},
                 .settles = true,
                 .run = [](CommandContext& c) { c.report(invertSelection(c.session)); },
-                .enabled = hasVoxels},
+                .enabled = hasAnything},
         Command{.id = selectByColour,
                 .tag = "select_colour",
                 .menu = MenuId::select,
@@ -249,7 +249,7 @@ std::span<const Command> selectionCommands() {
                     [](CommandContext& c) {
                         c.report(selectColour(c.session, c.settings.tool.colour));
                     },
-                .enabled = hasVoxels},
+                .enabled = hasAnything},
         Command{
             .id = editInsideSelection,
             .tag = "edit_inside_selection",
@@ -346,7 +346,7 @@ std::span<const Command> selectionCommands() {
                 .name = "Scale by a whole number",
                 .icon = icon::kScaleVoxels,
                 .run = scaleUp,
-                .enabled = hasVoxels},
+                .enabled = hasAnything},
         Command{.id = recolourVoxels,
                 .tag = "recolour_selection",
                 .menu = MenuId::select,
@@ -396,14 +396,14 @@ std::span<const Command> selectionCommands() {
                 .group = "Place",
                 .name = "Centre on the origin",
                 .run = placeBy<offsetToCentre>,
-                .enabled = hasVoxels},
+                .enabled = hasAnything},
         Command{.id = dropToGround,
                 .tag = "drop_to_ground",
                 .menu = MenuId::select,
                 .group = "Place",
                 .name = "Drop to the ground",
                 .run = placeBy<offsetToGround>,
-                .enabled = hasVoxels},
+                .enabled = hasAnything},
         Command{.id = trimToLimits,
                 .tag = "trim_to_limits",
                 .menu = MenuId::select,
@@ -416,7 +416,7 @@ std::span<const Command> selectionCommands() {
                     },
                 .enabled =
                     [](const CommandContext& c) {
-                        return hasVoxels(c) && c.settings.tool.options.limited;
+                        return hasAnything(c) && c.settings.tool.options.limited;
                     }},
     };
     return kCommands;

@@ -18,9 +18,9 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr float kEntitiesWidth = 560.0f, kEntityRow = 64.0f, kEntityTile = 56.0f;
+constexpr float kEntityDialogWidth = 560.0f, kEntityRow = 64.0f, kEntityTile = 56.0f;
 constexpr int kEntityTilePx = 48;  // what the tile has room for at content scale 1
-constexpr std::size_t kEntitiesShown = 6;
+constexpr std::size_t kEntityRows = 6;
 
 std::string figuresText(const EntityFigures& figures) {
     const glm::ivec3 size = figures.size;
@@ -118,8 +118,8 @@ void EntityDialog::moveByKeys() {
     const std::size_t before = chosen_, last = found_.size() - 1;
     if (repeats(ImGuiKey_DownArrow)) chosen_ = std::min(chosen_ + 1, last);
     if (repeats(ImGuiKey_UpArrow)) chosen_ -= std::min<std::size_t>(chosen_, 1);
-    if (repeats(ImGuiKey_PageDown)) chosen_ = std::min(chosen_ + kEntitiesShown, last);
-    if (repeats(ImGuiKey_PageUp)) chosen_ -= std::min(chosen_, kEntitiesShown);
+    if (repeats(ImGuiKey_PageDown)) chosen_ = std::min(chosen_ + kEntityRows, last);
+    if (repeats(ImGuiKey_PageUp)) chosen_ -= std::min(chosen_, kEntityRows);
     // In a text these keys belong to it.
     if (!ImGui::GetIO().WantTextInput) {
         if (repeats(ImGuiKey_Home)) chosen_ = 0;
@@ -167,7 +167,7 @@ bool EntityDialog::drawList(Ui& ui) {
     const Theme& theme = ui.theme;
     bool twice = false;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    const auto shown = static_cast<float>(std::min(rows_.size(), kEntitiesShown));
+    const auto shown = static_cast<float>(std::min(rows_.size(), kEntityRows));
     ImGui::BeginChild("entities", {0.0f, shown * theme.px(kEntityRow)});
     for (std::size_t k = 0; k < found_.size(); ++k) {
         Row& row = rows_[found_[k]];
@@ -241,7 +241,7 @@ bool EntityDialog::drawFooter(Ui& ui, bool listens) {
 std::optional<EntityDialog::Answer> EntityDialog::draw(Ui& ui) {
     if (!isOpen()) return std::nullopt;
     const char* title = asks_ == Asks::one ? "Open which one?" : "Add which ones?";
-    if (!beginDialog(ui, "##entities", title, kEntitiesWidth)) return std::nullopt;
+    if (!beginDialog(ui, "##entities", title, kEntityDialogWidth)) return std::nullopt;
     // The key that chose the file does not answer this, too.
     const bool listens = !ImGui::IsWindowAppearing();
     std::string text =
@@ -252,7 +252,7 @@ std::optional<EntityDialog::Answer> EntityDialog::draw(Ui& ui) {
     ImGui::TextWrapped("%s", text.c_str());
     ImGui::PopStyleColor();
     ImGui::Dummy(ui.theme.px(0, 2));
-    if (rows_.size() > kEntitiesShown) drawSearch(ui);
+    if (rows_.size() > kEntityRows) drawSearch(ui);
     if (listens && !found_.empty()) moveByKeys();
     const bool twice = drawList(ui);
     std::optional<Answer> chosen;

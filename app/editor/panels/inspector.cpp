@@ -11,7 +11,7 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr std::array kViews{
+constexpr std::array kViewRules{
     Choice{"Camera", "Rays run along the camera's own direction"},
     Choice{"Entity", "Rays run from the eye to the entity: turning the camera changes nothing"}};
 constexpr std::array kRegistrations{
@@ -25,19 +25,13 @@ constexpr std::array kDepths{
     Choice{"Ground", "As centre, pulled forward so that the ground hides no pixel"},
     Choice{"Pixel", "Each pixel has the depth of its voxel"}};
 
-constexpr std::array kModes{
+constexpr std::array kSpriteModes{
     Choice{"Buffers", "Each sprite is cast once, a ray a virtual pixel, and kept while it shows"},
     Choice{"Single pass", "Every screen pixel casts its own rays: the same picture, slower"}};
 
 constexpr std::array kShadings{
     Choice{"Multiply", "Light multiplies the colours"},
     Choice{"Palette", "Light picks from the palette's ramps: a sprite has only your colours"}};
-
-// Whole and quarter values above 1, where the grid falls evenly; halvings below.
-double snapSigma(double sigma) {
-    if (sigma < 1.0) return std::exp2(std::round(std::log2(sigma)));
-    return std::round(sigma * 4.0) / 4.0;
-}
 
 std::string text(const char* format, double value) {
     std::array<char, 64> buffer{};
@@ -138,8 +132,8 @@ void entitySection(Ui& ui, Entity& entity) {
 
 void rulesSection(Ui& ui, GameProfile& profile) {
     if (!section(ui, "Rules of the game")) return;
-    static_cast<void>(enumRow(ui, "inspector.view", "View", profile.view, kViews));
-    static_cast<void>(enumRow(ui, "inspector.mode", "Mode", profile.mode, kModes));
+    static_cast<void>(enumRow(ui, "inspector.view", "View", profile.view, kViewRules));
+    static_cast<void>(enumRow(ui, "inspector.mode", "Mode", profile.mode, kSpriteModes));
     static_cast<void>(enumRow(ui, "inspector.registration", "Registered at", profile.registration,
                               kRegistrations));
     static_cast<void>(enumRow(ui, "inspector.depth", "Depth", profile.depth, kDepths));

@@ -16,7 +16,7 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr const char* kDragged = "voxprite.nodes";
+constexpr const char* kDraggedNodes = "voxprite.nodes";
 
 struct Row {
     int node;
@@ -104,7 +104,7 @@ void dragAndDrop(Ui& ui, int node, const ListRow& row, float indent) {
     ObjectSelection& objects = ui.context.objects;
     if (ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoHoldToOpenOthers)) {
         if (!objects.isChosen(ui.session, node)) objects.choose(ui.session, node);
-        ImGui::SetDragDropPayload(kDragged, &node, sizeof(node));
+        ImGui::SetDragDropPayload(kDraggedNodes, &node, sizeof(node));
         const std::size_t count = objects.nodes(ui.session).size();
         const std::string text = count > 1 ? std::to_string(count) + " objects"
                                            : displayName(nodeOf(document, node), node);
@@ -113,8 +113,8 @@ void dragAndDrop(Ui& ui, int node, const ListRow& row, float indent) {
     }
     if (!ImGui::BeginDragDropTarget()) return;
     const ImGuiPayload* payload =
-        ImGui::AcceptDragDropPayload(kDragged, ImGuiDragDropFlags_AcceptBeforeDelivery |
-                                                   ImGuiDragDropFlags_AcceptNoDrawDefaultRect);
+        ImGui::AcceptDragDropPayload(kDraggedNodes, ImGuiDragDropFlags_AcceptBeforeDelivery |
+                                                        ImGuiDragDropFlags_AcceptNoDrawDefaultRect);
     if (payload != nullptr) {
         const DropPlace place = dropPlace(document, node, row);
         Result<Action> action =

@@ -11,7 +11,7 @@ namespace voxprite::editor {
 namespace {
 
 constexpr int kColumns = 16;
-constexpr int kRows = 16;
+constexpr int kSwatchRows = 16;
 constexpr float kLeastCell = 14.0f;
 constexpr const char* kMenu = "palette.menu";
 
@@ -36,21 +36,21 @@ void PalettePanel::drawSwatches(Ui& ui, float height) {
     const ColourCounts& counts = editor_.shownCounts(ImGui::GetTime());
     // Square where there is room, flatter where there is not, and then to be scrolled.
     const float full = ImGui::GetContentRegionAvail().x, bar = theme.px(6);
-    const bool scrolls = height < theme.px(kLeastCell) * kRows;
+    const bool scrolls = height < theme.px(kLeastCell) * kSwatchRows;
     const float width = (scrolls ? full - bar - theme.px(2) : full) / kColumns;
     const float cell =
-        std::clamp(std::floor(height / kRows), theme.px(kLeastCell), std::floor(width));
+        std::clamp(std::floor(height / kSwatchRows), theme.px(kLeastCell), std::floor(width));
     const float gap = std::max(1.0f, theme.px(1));
     ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, bar);
-    ImGui::BeginChild("swatches", {0.0f, std::min(height, cell * kRows)}, false,
+    ImGui::BeginChild("swatches", {0.0f, std::min(height, cell * kSwatchRows)}, false,
                       ImGuiWindowFlags_NoBackground);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::InvisibleButton("grid", {width * kColumns, cell * kRows});
+    ImGui::InvisibleButton("grid", {width * kColumns, cell * kSwatchRows});
     ui.probe.markItem("palette.swatches");
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const int column = static_cast<int>(std::floor((mouse.x - corner.x) / width));
     const int row = static_cast<int>(std::floor((mouse.y - corner.y) / cell));
-    const bool inside = column >= 0 && column < kColumns && row >= 0 && row < kRows;
+    const bool inside = column >= 0 && column < kColumns && row >= 0 && row < kSwatchRows;
     const std::size_t under = inside ? static_cast<std::size_t>(row * kColumns + column) : 0;
 
     ImDrawList& draw = *ImGui::GetWindowDrawList();

@@ -8,7 +8,7 @@
 #include "app/editor/panels/palette_panel.h"
 #include "app/editor/panels/widgets.h"
 #include "app/editor/window/icons.h"
-#include "app/editor/window/imgui_texture.h"
+#include "app/editor/window/imgui_names.h"
 
 namespace voxprite::editor {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/window/imgui_texture.h"
+#include "app/editor/window/imgui_names.h"
 
 namespace voxprite::editor {
 

@@ -10,7 +10,7 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr float kWidth = 640.0f, kHeight = 600.0f;
+constexpr float kPreferencesWidth = 640.0f, kPreferencesHeight = 600.0f;
 
 constexpr std::array kThemes{Choice{"Dark", "Calm greys, for long evenings"},
                              Choice{"Light", "For bright rooms"}};
@@ -35,7 +35,7 @@ constexpr std::array kNavigations{
     Choice{"Blender", "Middle: orbit, with Shift: pan, with Ctrl: zoom. Wheel: zoom"},
     Choice{"Goxel", "Middle: orbit. Right: pan. Wheel: zoom"},
     Choice{"Trackpad", "Two fingers: orbit, with Shift: pan, with Ctrl or a pinch: zoom"}};
-constexpr std::array kScales{0.75f, 1.0f, 1.25f, 1.5f, 1.75f};
+constexpr std::array kContentScales{0.75f, 1.0f, 1.25f, 1.5f, 1.75f};
 constexpr std::array kScaleChoices{
     Choice{"75 %", "Text and all else, on top of the display's own scale"}, Choice{"100 %", ""},
     Choice{"125 %", ""}, Choice{"150 %", ""}, Choice{"175 %", ""}};
@@ -79,7 +79,8 @@ void Preferences::open(Page page) {
 
 void Preferences::draw(Ui& ui) {
     if (!open_) return;
-    if (!beginDialog(ui, "##preferences", "Preferences", kWidth, kHeight)) return;
+    if (!beginDialog(ui, "##preferences", "Preferences", kPreferencesWidth, kPreferencesHeight))
+        return;
     // The key being bound is no command of this dialog.
     const bool waited = listening_.has_value();
     listen(ui);
@@ -120,7 +121,7 @@ void Preferences::drawGeneral(Ui& ui) {
     WindowSettings& window = ui.settings.window;
     InputSettings& input = ui.settings.input;
     static_cast<void>(enumRow(ui, "preferences.theme", "Theme", window.theme, kThemes));
-    valueRow(ui, "preferences.scale", "Size of text", window.scale, kScales, kScaleChoices);
+    valueRow(ui, "preferences.scale", "Size of text", window.scale, kContentScales, kScaleChoices);
     static_cast<void>(
         enumRow(ui, "preferences.backdrop", "Background", ui.settings.view.backdrop, kBackdrops));
     ImGui::Dummy(ui.theme.px(0, 6));

@@ -23,7 +23,7 @@ struct Views {
     const char* name;
     const char* label;
 };
-constexpr std::array kViews{
+constexpr std::array kViewSets{
     Views{"canonical26", "26, all round"}, Views{"octahedral:8", "64, all round"},
     Views{"octahedral:16", "256, all round"}, Views{"hemisphere:12", "144, from above"},
     Views{"hemisphere:24", "576, from above"}};
@@ -80,16 +80,17 @@ void drawRule(Ui& ui, RepresentationSettings& settings) {
 }
 
 void drawSources(Ui& ui, RepresentationSettings& settings) {
-    std::size_t chosen = kViews.size();
-    for (std::size_t k = 0; k < kViews.size(); ++k) {
-        if (settings.views == kViews[k].name) chosen = k;
+    std::size_t chosen = kViewSets.size();
+    for (std::size_t k = 0; k < kViewSets.size(); ++k) {
+        if (settings.views == kViewSets[k].name) chosen = k;
     }
-    const char* preview = chosen < kViews.size() ? kViews[chosen].label : settings.views.c_str();
+    const char* preview =
+        chosen < kViewSets.size() ? kViewSets[chosen].label : settings.views.c_str();
     if (const auto clicked = comboRow(ui, "scene.views", "Views", "What snapshots are taken from",
-                                      preview, kViews.size(), chosen, [](std::size_t k) {
-                                          return Choice{kViews[k].label, nullptr};
+                                      preview, kViewSets.size(), chosen, [](std::size_t k) {
+                                          return Choice{kViewSets[k].label, nullptr};
                                       })) {
-        settings.views = kViews[*clicked].name;
+        settings.views = kViewSets[*clicked].name;
     }
     static_cast<void>(numberRow(ui, "scene.clusterBudget", "Mesh", settings.clusterBudgetPx,
                                 {0.0, kMostClusterBudgetPx, 0.02, "%.2f px off"},

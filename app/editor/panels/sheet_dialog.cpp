@@ -16,7 +16,7 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr float kSheetWidth = 1120.0f, kSheetHeight = 764.0f, kSettingsWidth = 312.0f;
+constexpr float kSheetDialogWidth = 1120.0f, kSheetDialogHeight = 764.0f, kSettingsWidth = 312.0f;
 
 constexpr std::array kUsualDirections{4, 8, 16, 32};
 constexpr std::array kDirectionChoices{Choice{"4", "Front, right, back and left"}, Choice{"8", ""},
@@ -28,12 +28,6 @@ constexpr std::array kOutlines{Choice{"Game's", "As the game's profile has it"},
 constexpr std::array kTurntables{
     Choice{"PNG", "Animated PNG: every colour, clean edges"},
     Choice{"GIF", "Plays everywhere; at most 255 colours, and hundredths of a second"}};
-
-// Whole and quarter values above 1, where the grid falls evenly; halvings below.
-double snapSigma(double sigma) {
-    if (sigma < 1.0) return std::exp2(std::round(std::log2(sigma)));
-    return std::round(sigma * 4.0) / 4.0;
-}
 
 void wholeRow(Ui& ui, const char* name, const char* label, int& value, int least, int most,
               const char* format, const char* hint) {
@@ -361,7 +355,7 @@ std::optional<SheetExport> SheetDialog::accept(Ui& ui) {
 
 std::optional<SheetExport> SheetDialog::draw(Ui& ui) {
     if (!open_ || ui.context.files.isBrowsing()) return std::nullopt;
-    if (!beginDialog(ui, "##sheet", "Export sprite sheet", kSheetWidth, kSheetHeight))
+    if (!beginDialog(ui, "##sheet", "Export sprite sheet", kSheetDialogWidth, kSheetDialogHeight))
         return std::nullopt;
     follow(ui);
     const Theme& theme = ui.theme;

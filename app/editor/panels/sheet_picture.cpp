@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/editor/window/imgui_texture.h"
+#include "app/editor/window/imgui_names.h"
 
 namespace voxprite::editor {
 namespace {
@@ -39,7 +39,7 @@ void drawCheckerboard(ImDrawList& draw, const Theme& theme, ImVec2 min, ImVec2 m
     }
 }
 
-std::string nameOf(const SheetSprite& sprite) {
+std::string spriteNameOf(const SheetSprite& sprite) {
     std::array<char, 96> text{};
     std::snprintf(text.data(), text.size(), "Direction %d (%.4g°), pitch %.4g°, frame %d",
                   sprite.direction, sprite.yawDegrees, sprite.pitchDegrees, sprite.frame);
@@ -66,7 +66,7 @@ void drawHovered(Ui& ui, const Sheet& sheet, ImVec2 min, float scale) {
                                         {low.x + static_cast<float>(under->size.x) * scale,
                                          low.y + static_cast<float>(under->size.y) * scale},
                                         theme.accent, 0.0f, 0, theme.px(2));
-    std::string text = nameOf(*under);
+    std::string text = spriteNameOf(*under);
     if (same > 1) text += "\nand " + std::to_string(same - 1) + " that look the same";
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, theme.px(10, 7));
     ImGui::BeginTooltip();

@@ -15,7 +15,7 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr const char* kDragged = "voxprite.frame";
+constexpr const char* kDraggedFrame = "voxprite.frame";
 constexpr float kPadding = 6.0f, kBar = 26.0f, kLane = 16.0f, kCell = 26.0f;
 constexpr int kMostLanes = 3;
 
@@ -38,7 +38,7 @@ int laneCount(const std::vector<Clip>& clips) {
     return lanes.empty() ? 0 : *std::ranges::max_element(lanes) + 1;
 }
 
-const char* nameOf(const Clip& clip) {
+const char* clipNameOf(const Clip& clip) {
     return clip.name.empty() ? "Clip" : clip.name.c_str();
 }
 
@@ -65,13 +65,13 @@ void clipChoice(Ui& ui) {
     Playback& playback = ui.context.playback;
     const std::optional<int> chosen = playback.clip(document);
     const char* preview =
-        chosen ? nameOf(document.clips[static_cast<std::size_t>(*chosen)]) : "All frames";
+        chosen ? clipNameOf(document.clips[static_cast<std::size_t>(*chosen)]) : "All frames";
     ImGui::SetNextItemWidth(ui.theme.px(112));
     if (ImGui::BeginCombo("##clip", preview)) {
         if (ImGui::Selectable("All frames", !chosen)) playback.chooseClip(std::nullopt);
         for (int i = 0; i < static_cast<int>(document.clips.size()); ++i) {
             ImGui::PushID(i);
-            if (ImGui::Selectable(nameOf(document.clips[static_cast<std::size_t>(i)]),
+            if (ImGui::Selectable(clipNameOf(document.clips[static_cast<std::size_t>(i)]),
                                   chosen == i)) {
                 playback.chooseClip(i);
             }
@@ -204,7 +204,7 @@ void drawClips(Ui& ui, const Strip& strip) {
         draw.AddText(
             font, font->FontSize,
             {min.x + theme.px(6), min.y + std::floor((max.y - min.y - font->FontSize) * 0.5f)},
-            on ? theme.onAccent : theme.textDim, nameOf(clips[i]), nullptr, 0.0f, &clip);
+            on ? theme.onAccent : theme.textDim, clipNameOf(clips[i]), nullptr, 0.0f, &clip);
     }
 }
 
@@ -215,14 +215,14 @@ bool holds(const SceneNode& object, int frame) {
 
 void dragFrame(Ui& ui, int frame, ImVec2 min, ImVec2 max) {
     if (ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoHoldToOpenOthers)) {
-        ImGui::SetDragDropPayload(kDragged, &frame, sizeof(frame));
+        ImGui::SetDragDropPayload(kDraggedFrame, &frame, sizeof(frame));
         ImGui::Text("Frame %d", frame + 1);
         ImGui::EndDragDropSource();
     }
     if (!ImGui::BeginDragDropTarget()) return;
     const ImGuiPayload* payload =
-        ImGui::AcceptDragDropPayload(kDragged, ImGuiDragDropFlags_AcceptBeforeDelivery |
-                                                   ImGuiDragDropFlags_AcceptNoDrawDefaultRect);
+        ImGui::AcceptDragDropPayload(kDraggedFrame, ImGuiDragDropFlags_AcceptBeforeDelivery |
+                                                        ImGuiDragDropFlags_AcceptNoDrawDefaultRect);
     if (payload != nullptr) {
         const int from = *static_cast<const int*>(payload->Data);
         const float x = from < frame ? max.x : min.x;

@@ -10,13 +10,13 @@ namespace voxprite::editor {
 namespace {
 
 // Buttons shrink before anything is cut off in a low window.
-constexpr float kButton = 34.0f, kLeastButton = 22.0f, kGap = 2.0f;
-constexpr float kRows = 15.0f, kBesides = 112.0f;  // rows of buttons; all that is no button
+constexpr float kToolButton = 34.0f, kLeastButton = 22.0f, kGap = 2.0f;
+constexpr float kToolRows = 15.0f, kBesides = 112.0f;  // rows of buttons; all that is no button
 
 float buttonSize(const Ui& ui) {
     const float room = ImGui::GetWindowHeight() - ui.theme.px(kBesides);
-    const float each = room / kRows - ui.theme.px(kGap);
-    return std::floor(std::clamp(each, ui.theme.px(kLeastButton), ui.theme.px(kButton)));
+    const float each = room / kToolRows - ui.theme.px(kGap);
+    return std::floor(std::clamp(each, ui.theme.px(kLeastButton), ui.theme.px(kToolButton)));
 }
 
 void group(Ui& ui, Lit litWhenOn, std::initializer_list<CommandId> ids) {

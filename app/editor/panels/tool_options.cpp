@@ -8,15 +8,14 @@
 #include "app/editor/panels/widgets.h"
 #include "app/editor/tools/guides.h"
 #include "app/editor/window/icons.h"
+#include "app/editor/window/imgui_names.h"
 
 namespace voxprite::editor {
 namespace {
 
-constexpr float kHeight = 24.0f;
+constexpr float kToolBarHeight = 24.0f;
 constexpr std::array<const char*, 3> kAxisNames{"X", "Y", "Z"};
 constexpr std::array<const char*, 3> kAxisProbes{"x", "y", "z"};
-constexpr std::array<ImU32, 3> kAxisColours{
-    IM_COL32(240, 96, 96, 255), IM_COL32(120, 210, 110, 255), IM_COL32(100, 150, 255, 255)};
 
 void gap(Ui& ui, float width = 16.0f) {
     ImGui::SameLine(0.0f, ui.theme.px(width));
@@ -34,7 +33,7 @@ void label(Ui& ui, const char* text, const char* hint = nullptr) {
 // One of a few, side by side; as wide as its labels.
 bool segments(Ui& ui, const char* name, int& value, std::span<const Choice> choices) {
     const Theme& theme = ui.theme;
-    const float pad = theme.px(10), height = theme.px(kHeight), inset = theme.px(2);
+    const float pad = theme.px(10), height = theme.px(kToolBarHeight), inset = theme.px(2);
     float width = 0.0f;
     for (const Choice& choice : choices) width += ImGui::CalcTextSize(choice.label).x + 2 * pad;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -84,7 +83,7 @@ void choose(Ui& ui, const char* name, Enum& value, std::span<const Choice> choic
 bool letter(Ui& ui, const std::string& name, const char* text, bool on, ImU32 colour,
             const char* hint) {
     const Theme& theme = ui.theme;
-    const float size = theme.px(kHeight);
+    const float size = theme.px(kToolBarHeight);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton(name.c_str(), {size, size});
     ui.probe.markItem(name);
@@ -136,23 +135,23 @@ void drawHollow(Ui& ui, ToolOptions& options) {
 }
 
 void drawRegion(Ui& ui, ToolOptions& options) {
-    constexpr std::array<Choice, 2> kRules{
+    constexpr std::array<Choice, 2> kColourRules{
         Choice{"Any colour", "All voxels that touch belong together"},
         Choice{"Same colour", "Only voxels of the colour that was hit belong together"}};
     constexpr std::array<Choice, 2> kTouch{Choice{"6", "Voxels touch by their faces"},
                                            Choice{"26", "Voxels touch by edges and corners, too"}};
     int same = options.sameColour ? 1 : 0;
-    if (segments(ui, "options.colour", same, kRules)) options.sameColour = same == 1;
+    if (segments(ui, "options.colour", same, kColourRules)) options.sameColour = same == 1;
     gap(ui);
     choose(ui, "options.neighbours", options.neighbours, kTouch);
 }
 
 void drawDepth(Ui& ui, ToolOptions& options) {
-    constexpr std::array<Choice, 2> kDepths{
+    constexpr std::array<Choice, 2> kSightDepths{
         Choice{"Through", "All voxels that lie behind the rectangle"},
         Choice{"In sight", "Only voxels that can be seen in the rectangle"}};
     int inSight = options.inSight ? 1 : 0;
-    if (segments(ui, "options.depth", inSight, kDepths)) options.inSight = inSight == 1;
+    if (segments(ui, "options.depth", inSight, kSightDepths)) options.inSight = inSight == 1;
     gap(ui);
 }
 
@@ -172,11 +171,11 @@ void drawSelection(Ui& ui, bool busy) {
     const bool moves = !selection.floating() || selection.floating()->kind == Floating::Kind::move;
     if (!moves || (selection.empty() && !selection.floating())) return;
     for (std::size_t i = 0; i < kArrange.size(); ++i) {
-        commandButton(ui, kArrange[i], Lit::off, ui.theme.px(kHeight));
+        commandButton(ui, kArrange[i], Lit::off, ui.theme.px(kToolBarHeight));
         const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
         ImGui::GetWindowDrawList()->AddLine({min.x + ui.theme.px(4), max.y - ui.theme.px(1)},
                                             {max.x - ui.theme.px(4), max.y - ui.theme.px(1)},
-                                            kAxisColours[i % 3], ui.theme.px(2));
+                                            toImU32(kAxisColours[i % 3]), ui.theme.px(2));
         ImGui::SameLine(0.0f, ui.theme.px(i == 2 ? 8 : 2));
     }
 }
@@ -200,7 +199,7 @@ ToolAnswer drawFigures(Ui& ui, Tool& tool) {
     }
     ToolAnswer answer = ToolAnswer::none;
     if (!tool.busy() || figures.empty()) return answer;
-    const float size = ui.theme.px(kHeight);
+    const float size = ui.theme.px(kToolBarHeight);
     if (iconButton(ui, "options.keep", icon::kCheck, Lit::icon, size, "Keep it  (Enter)")) {
         answer = ToolAnswer::keep;
     }
@@ -261,12 +260,12 @@ void drawMirrors(Ui& ui, ToolOptions& options) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         if (letter(ui, std::string("options.mirror.") + kAxisProbes[a], kAxisNames[a],
-                   options.symmetry.on[a], kAxisColours[a], kHints[a])) {
+                   options.symmetry.on[a], toImU32(kAxisColours[a]), kHints[a])) {
             switchSymmetry(options, axis, ui.session.bounds());
         }
         ImGui::SameLine(0.0f, ui.theme.px(3));
     }
-    if (iconButton(ui, "options.mirror.planes", icon::kDown, Lit::off, ui.theme.px(kHeight),
+    if (iconButton(ui, "options.mirror.planes", icon::kDown, Lit::off, ui.theme.px(kToolBarHeight),
                    "Where the mirror planes are")) {
         ImGui::OpenPopup("mirror");
     }
@@ -324,7 +323,7 @@ void drawLimits(Ui& ui, ToolOptions& options) {
         switchLimits(options, ui.session.bounds());
     }
     ImGui::SameLine(0.0f, ui.theme.px(3));
-    if (iconButton(ui, "options.limit.box", icon::kDown, Lit::off, ui.theme.px(kHeight),
+    if (iconButton(ui, "options.limit.box", icon::kDown, Lit::off, ui.theme.px(kToolBarHeight),
                    "Where the limits are")) {
         ImGui::OpenPopup("limits");
     }

@@ -15,7 +15,7 @@ namespace voxprite::editor {
 namespace {
 
 constexpr ImU32 kInk = IM_COL32(16, 17, 19, 255);
-constexpr float kReachPx = 12.0f;  // of the pointer
+constexpr float kPointerReachPx = 12.0f;  // of the pointer
 
 ImU32 colourOf(trade::Axis axis) {
     using enum trade::Axis;
@@ -254,7 +254,7 @@ PlotAnswer drawTradePlot(Ui& ui, const trade::Setting& inForce, ImVec2 size) {
 
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const trade::Point* nearest = nullptr;
-    float reach = theme.px(kReachPx);
+    float reach = theme.px(kPointerReachPx);
     for (std::size_t k = 0; k < points.size(); ++k) {
         const trade::Point& point = points[k];
         if (!std::isfinite(costOf(point))) continue;

@@ -114,6 +114,11 @@ bool vectorRow(Ui& ui, const char* name, const char* label, glm::dvec3& value, c
     return changed;
 }
 
+double snapSigma(double sigma) {
+    if (sigma < 1.0) return std::exp2(std::round(std::log2(sigma)));
+    return std::round(sigma * 4.0) / 4.0;
+}
+
 bool logSliderRow(Ui& ui, const char* name, const char* label, double& value, double min,
                   double max, double (*snap)(double), const char* hint, const Range& typed) {
     const Theme& theme = ui.theme;

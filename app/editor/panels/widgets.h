@@ -27,6 +27,9 @@ void rowLabel(Ui& ui, const char* label, const char* hint = nullptr);
 [[nodiscard]] bool vectorRow(Ui& ui, const char* name, const char* label, glm::dvec3& value,
                              const Range& range, const char* hint = nullptr,
                              bool axisColours = true);
+// Of a sigma on a slider: whole and quarter values above 1, where the grid falls evenly; halvings
+// below.
+[[nodiscard]] double snapSigma(double sigma);
 // A slider over powers of two, with a number to type beside it.
 [[nodiscard]] bool logSliderRow(Ui& ui, const char* name, const char* label, double& value,
                                 double min, double max, double (*snap)(double),

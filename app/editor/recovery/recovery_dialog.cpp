@@ -12,7 +12,7 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr float kWidth = 560.0f, kTile = 112.0f, kGap = 16.0f;
+constexpr float kRecoveryWidth = 560.0f, kRecoveryTile = 112.0f, kRecoveryGap = 16.0f;
 constexpr std::size_t kShownAtOnce = 3;
 
 std::string counted(std::int64_t count, const char* thing) {
@@ -46,9 +46,9 @@ RecoveryDialog::Answer RecoveryDialog::drawOne(Ui& ui, const Offered& offered) {
     const Theme& theme = ui.theme;
     const LostWork& work = offered.work;
     Answer answer = Answer::none;
-    drawPictureTile(theme, ImGui::GetCursorScreenPos(), theme.px(kTile), offered.picture);
-    ImGui::Dummy(theme.px(kTile, kTile));
-    ImGui::SameLine(0.0f, theme.px(kGap));
+    drawPictureTile(theme, ImGui::GetCursorScreenPos(), theme.px(kRecoveryTile), offered.picture);
+    ImGui::Dummy(theme.px(kRecoveryTile, kRecoveryTile));
+    ImGui::SameLine(0.0f, theme.px(kRecoveryGap));
     ImGui::BeginGroup();
     ImGui::PushFont(theme.fonts.bold);
     ImGui::TextUnformatted(work.title.c_str());
@@ -75,14 +75,15 @@ RecoveryDialog::Answer RecoveryDialog::drawOne(Ui& ui, const Offered& offered) {
 
 std::optional<LostWork> RecoveryDialog::draw(Ui& ui) {
     std::optional<LostWork> chosen;
-    if (!isOpen() || !beginDialog(ui, "##recovery", "Recover unsaved work?", kWidth)) return chosen;
+    if (!isOpen() || !beginDialog(ui, "##recovery", "Recover unsaved work?", kRecoveryWidth))
+        return chosen;
     const Theme& theme = ui.theme;
     ImGui::PushStyleColor(ImGuiCol_Text, theme.textDim);
     ImGui::TextWrapped("The editor did not end in an orderly way. This is how far its copies go.");
     ImGui::PopStyleColor();
     ImGui::Dummy(theme.px(0, 4));
     const auto shown = static_cast<float>(std::min(offered_.size(), kShownAtOnce));
-    ImGui::BeginChild("works", {0.0f, shown * theme.px(kTile + 12)});
+    ImGui::BeginChild("works", {0.0f, shown * theme.px(kRecoveryTile + 12)});
     std::optional<std::size_t> discarded;
     for (std::size_t i = 0; i < offered_.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));

@@ -7,7 +7,7 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr std::chrono::milliseconds kRest{150};
+constexpr std::chrono::milliseconds kPreviewRest{150};
 
 Result<Sheet> madeWith(const SheetRequest& request, JobProgress& progress) {
     return makeSheet(
@@ -81,7 +81,7 @@ void SheetMaker::begin() {
 }
 
 bool SheetMaker::update() {
-    if (wanted_ && std::chrono::steady_clock::now() - asked_ >= kRest) begin();
+    if (wanted_ && std::chrono::steady_clock::now() - asked_ >= kPreviewRest) begin();
     return job_.finish();
 }
 

@@ -7,9 +7,6 @@
 namespace voxprite::editor {
 namespace {
 
-// The colours that axes have everywhere: red, green, blue.
-constexpr std::array<Rgba8, 3> kAxisColours{Rgba8(240, 96, 96, 255), Rgba8(120, 210, 110, 255),
-                                            Rgba8(100, 150, 255, 255)};
 constexpr Rgba8 kLimitsColour(255, 214, 102, 210);
 constexpr double kAirVoxels = 1.5;
 constexpr IBox kEmptyShown{{-8, -8, 0}, {8, 8, 16}};

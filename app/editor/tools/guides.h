@@ -2,10 +2,17 @@
 // limits edits.
 #pragma once
 
+#include <array>
+
 #include "app/editor/tools/tool_options.h"
+#include "core/base/image.h"
 #include "render/overlay.h"
 
 namespace voxprite::editor {
+
+// The colours that axes have everywhere: red, green, blue.
+inline constexpr std::array<Rgba8, 3> kAxisColours{
+    Rgba8(240, 96, 96, 255), Rgba8(120, 210, 110, 255), Rgba8(100, 150, 255, 255)};
 
 // In the edit view's world. Planes are drawn around `bounds`, those of the model; line widths at
 // `scale` device pixels a pixel.

@@ -6,7 +6,7 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr double kReachPx = 10.0;
+constexpr double kHandleReachPx = 10.0;
 constexpr float kHalfPx = 4.5f;
 
 }  // namespace
@@ -14,7 +14,7 @@ constexpr float kHalfPx = 4.5f;
 int handleAt(std::span<const Handle> handles, const Camera& camera, glm::dvec2 pointerPx,
              float scale) {
     int best = -1;
-    double bestPx = kReachPx * static_cast<double>(scale);
+    double bestPx = kHandleReachPx * static_cast<double>(scale);
     for (std::size_t i = 0; i < handles.size(); ++i) {
         const Camera::Projected at = camera.project(worldFromVoxel(handles[i].at));
         if (at.depthMetres <= camera.nearMetres) continue;

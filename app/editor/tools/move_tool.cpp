@@ -7,14 +7,14 @@
 #include <memory>
 
 #include "app/editor/session/selection_edits.h"
+#include "app/editor/tools/guides.h"
 #include "app/editor/tools/tool_marks.h"
+#include "app/editor/window/imgui_names.h"
 
 namespace voxprite::editor {
 namespace {
 
 constexpr double kArrowPx = 84.0;
-constexpr std::array<ImU32, 3> kArrowColours{
-    IM_COL32(240, 96, 96, 255), IM_COL32(120, 210, 110, 255), IM_COL32(100, 150, 255, 255)};
 
 glm::dvec3 middleOf(const IBox& box) {
     return (glm::dvec3(box.min) + glm::dvec3(box.max)) * 0.5;
@@ -258,7 +258,8 @@ void MoveTool::draw(const ToolContext& context, const ViewDrawing& drawing,
     const auto handles = arrows(context.camera, context.scale);
     for (int axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<std::size_t>(axis);
-        drawArrow(drawing, theme, middleOf(box_), handles[i].at, kArrowColours[i], hot_ == axis);
+        drawArrow(drawing, theme, middleOf(box_), handles[i].at, toImU32(kAxisColours[i]),
+                  hot_ == axis);
     }
     if (floats_) markSize(drawing, theme, box_);
 }

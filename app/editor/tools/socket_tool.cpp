@@ -7,7 +7,7 @@
 namespace voxprite::editor {
 namespace {
 
-constexpr double kReachPx = 9.0;  // of a mark, for the hand
+constexpr double kMarkReachPx = 9.0;  // of a mark, for the hand
 
 std::optional<glm::dvec3> pointUnder(const ToolContext& context) {
     if (!context.pick || context.pick->ground) return std::nullopt;
@@ -19,7 +19,7 @@ std::optional<glm::dvec3> pointUnder(const ToolContext& context) {
 std::optional<int> markUnder(const ToolContext& context) {
     if (!context.input.hovered) return std::nullopt;
     return socketAt(context.session, context.camera, context.input.pointerPx,
-                    kReachPx * static_cast<double>(context.scale));
+                    kMarkReachPx * static_cast<double>(context.scale));
 }
 
 }  // namespace

@@ -7,12 +7,13 @@
 #include "app/editor/panels/widgets.h"
 #include "app/editor/views/error_heat.h"
 #include "app/editor/views/heat_ramp.h"
-#include "app/editor/window/imgui_texture.h"
+#include "app/editor/views/pill.h"
+#include "app/editor/window/imgui_names.h"
 
 namespace voxprite::editor {
 namespace {
 
-constexpr std::array kYardsticks{
+constexpr std::array kHeatYardsticks{
     Choice{"Exact view",
            "The exact sprite of this very view at its own sigma: shows what view "
            "step, region and stand-ins cost"},
@@ -20,13 +21,6 @@ constexpr std::array kYardsticks{
     Choice{"Voxels",
            "The voxels themselves in perspective, a ray a screen pixel: shows what the "
            "style leaves out, too"}};
-constexpr ImU32 kPill = IM_COL32(16, 17, 19, 226);
-constexpr ImU32 kText = IM_COL32(240, 241, 243, 255);
-constexpr ImU32 kDim = IM_COL32(186, 190, 197, 255);
-
-ImU32 toImU32(Rgba8 colour) {
-    return IM_COL32(colour.x, colour.y, colour.z, 255);
-}
 
 float widthOf(const ImFont& font, const std::string& text) {
     return font.CalcTextSizeA(font.FontSize, FLT_MAX, 0.0f, text.c_str()).x;
@@ -57,7 +51,7 @@ void drawBar(const Theme& theme, ImVec2 min, float width, std::optional<double> 
     const auto at = [&](double error) {
         return std::round(min.x + width * static_cast<float>(std::clamp(error, 0.0, 1.0)));
     };
-    if (mean) mark(draw, at(*mean), min.y - theme.px(1), theme.px(4), kText);
+    if (mean) mark(draw, at(*mean), min.y - theme.px(1), theme.px(4), kPillText);
     ImFont* small = theme.fonts.small;
     for (int quarter = 0; quarter <= 4; ++quarter) {
         const std::string text = std::to_string(25 * quarter) + (quarter == 4 ? " %" : "");
@@ -68,10 +62,10 @@ void drawBar(const Theme& theme, ImVec2 min, float width, std::optional<double> 
         const float left = quarter == 0   ? min.x
                            : quarter == 4 ? min.x + width - wide
                                           : x - std::round(wide * 0.5f);
-        draw.AddText(small, small->FontSize, {left, min.y + height + theme.px(4)}, kDim,
+        draw.AddText(small, small->FontSize, {left, min.y + height + theme.px(4)}, kPillDim,
                      text.c_str());
     }
-    if (under) mark(draw, at(*under), min.y + height + theme.px(1), -theme.px(4), kText);
+    if (under) mark(draw, at(*under), min.y + height + theme.px(1), -theme.px(4), kPillText);
 }
 
 }  // namespace
@@ -101,7 +95,7 @@ void ErrorHeat::show(Ui& ui, const ViewCanvas& canvas, glm::dvec2 pointerPx) con
     ImFont *bold = theme.fonts.bold, *small = theme.fonts.small;
     ImDrawList& own = *ImGui::GetWindowDrawList();
     const float left = at.x + theme.px(12), right = at.x + size.x - theme.px(12);
-    own.AddText(bold, bold->FontSize, {left, at.y + theme.px(8)}, kText, "Error");
+    own.AddText(bold, bold->FontSize, {left, at.y + theme.px(8)}, kPillText, "Error");
     ImGui::SetCursorScreenPos({left, at.y + theme.px(6)});
     ImGui::Dummy({right - left, theme.px(22)});
     tooltip(ui, "FLIP: what somebody sees who flips between the two pictures");
@@ -116,13 +110,13 @@ void ErrorHeat::show(Ui& ui, const ViewCanvas& canvas, glm::dvec2 pointerPx) con
     } else if (failed_) {
         figure = "cannot be measured";
     }
-    own.AddText(small, small->FontSize, {right - widthOf(*small, figure), at.y + theme.px(9)}, kDim,
-                figure.c_str());
+    own.AddText(small, small->FontSize, {right - widthOf(*small, figure), at.y + theme.px(9)},
+                kPillDim, figure.c_str());
     ui.probe.mark("sprite.heat.mean", {left, at.y + theme.px(8)}, {right, at.y + theme.px(26)});
     drawBar(theme, {left, at.y + theme.px(36)}, right - left, mean, under);
     ImGui::SetCursorScreenPos({left, at.y + theme.px(72)});
     static_cast<void>(enumRow(ui, "sprite.heat.yardstick", nullptr, ui.settings.trade.heatYardstick,
-                              kYardsticks));
+                              kHeatYardsticks));
     ImGui::EndChild();
     ui.probe.mark("sprite.heat", at, {at.x + size.x, at.y + size.y});
 }

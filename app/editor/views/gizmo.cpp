@@ -11,7 +11,7 @@ namespace voxprite::editor {
 namespace {
 
 constexpr double kArmPx = 84.0;
-constexpr double kReachPx = 8.0;
+constexpr double kGizmoReachPx = 8.0;
 constexpr int kRingPoints = 72;
 constexpr int kGroundHandle = 3;
 constexpr double kPlaneNear = 0.22, kPlaneFar = 0.48;  // the ground handle's square, in arms
@@ -199,7 +199,8 @@ std::optional<Entity> Gizmo::update(const GizmoTarget& target, const Camera& cam
         if (depth <= camera.nearMetres) return std::nullopt;
         armMetres_ = camera.metresPerScreenPx(depth) * kArmPx * scale;
         if (input.hovered && !input.moving) {
-            hovered_ = handleUnder(target, camera, input.pointerPx, armMetres_, kReachPx * scale);
+            hovered_ =
+                handleUnder(target, camera, input.pointerPx, armMetres_, kGizmoReachPx * scale);
         }
         if (!input.pressed || hovered_ < 0) return std::nullopt;
         Drag drag{hovered_, input.pointerPx, target.entity, target.placed, 0.0, origin};

@@ -8,7 +8,7 @@ namespace voxprite::editor {
 namespace {
 
 // A model that changed is left alone for so long.
-constexpr double kStillSeconds = 0.4;
+constexpr double kRestSeconds = 0.4;
 // Measuring takes this much of a frame, and whatever its last step takes.
 constexpr double kSliceSeconds = 0.008;
 // The editor has an artist waiting: fewer views than the command line looks from.
@@ -57,7 +57,7 @@ void LevelLibrary::follow(std::vector<LevelSource> sources, const Representation
         ++revision_;
     }
     sources_ = std::move(sources);
-    still_ = now - changedAt_ >= kStillSeconds;
+    still_ = now - changedAt_ >= kRestSeconds;
     measured_ = measured;
     const auto gone = [this](const auto& kept) {
         return std::ranges::find(sources_, kept.model, &LevelSource::model) == sources_.end();

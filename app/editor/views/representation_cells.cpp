@@ -4,9 +4,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/editor/panels/trade_text.h"
 #include "app/editor/panels/widgets.h"
+#include "app/editor/views/pill.h"
 #include "app/editor/views/scene_representations.h"
 #include "app/editor/window/icons.h"
+#include "app/editor/window/imgui_names.h"
 #include "core/measure/compare.h"
 
 namespace voxprite::editor {
@@ -15,14 +18,7 @@ namespace {
 constexpr double kFlightSeconds = 6.0;  // one way
 constexpr int kStillPictures = 4;       // before errors are worked out
 constexpr int kMostZoom = 8;
-constexpr ImU32 kPill = IM_COL32(16, 17, 19, 222);
-constexpr ImU32 kPillText = IM_COL32(240, 241, 243, 255);
-constexpr ImU32 kPillDim = IM_COL32(186, 190, 197, 255);
 constexpr ImU32 kBackTop = IM_COL32(86, 98, 116, 255), kBackBottom = IM_COL32(128, 139, 150, 255);
-
-ImU32 toImU32(Rgba8 colour) {
-    return IM_COL32(colour.x, colour.y, colour.z, colour.w);
-}
 
 // 0 near ... 1 far, and back.
 double shareOf(double sizePx) {
@@ -40,12 +36,6 @@ Image middleOf(const Image& image, int edgePx) {
         for (int x = 0; x < size.x; ++x) middle.at(x, y) = image.at(corner.x + x, corner.y + y);
     }
     return middle;
-}
-
-std::string percentText(double share) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), share < 0.0995 ? "%.1f %%" : "%.0f %%", 100.0 * share);
-    return text.data();
 }
 
 std::string costText(double microseconds) {

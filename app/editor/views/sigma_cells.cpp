@@ -3,16 +3,13 @@
 #include <cstdio>
 
 #include "app/editor/panels/widgets.h"
+#include "app/editor/views/pill.h"
 #include "app/editor/window/icons.h"
-#include "app/editor/window/imgui_texture.h"
+#include "app/editor/window/imgui_names.h"
 #include "core/model/game_profile.h"
 
 namespace voxprite::editor {
 namespace {
-
-constexpr ImU32 kCellPill = IM_COL32(16, 17, 19, 215);
-constexpr ImU32 kCellText = IM_COL32(240, 241, 243, 255);
-constexpr ImU32 kCellDim = IM_COL32(200, 203, 208, 255);
 
 void useSigma(Ui& ui, double sigma, bool merge) {
     const GameProfile& before = ui.session.profile();
@@ -47,8 +44,8 @@ void drawCaption(Ui& ui, ImVec2 lowerLeft, int index) {
     ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, theme.px(6));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, theme.px(8, 3));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, theme.px(6, 3));
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, kCellPill);
-    ImGui::PushStyleColor(ImGuiCol_Text, kCellText);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, kPill);
+    ImGui::PushStyleColor(ImGuiCol_Text, kPillText);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(255, 255, 255, 26));
     ImGui::PushStyleColor(ImGuiCol_FrameBgHovered, IM_COL32(255, 255, 255, 44));
     ImGui::PushStyleColor(ImGuiCol_FrameBgActive, IM_COL32(255, 255, 255, 60));
@@ -115,8 +112,8 @@ void showSigmaCells(Ui& ui, const ViewCanvas& canvas, std::span<const CellArea> 
         if (!detail.empty()) {
             const ImVec2 at(min.x + theme.px(10), max.y - text.y - theme.px(52));
             draw.AddRectFilled(at, {at.x + text.x + theme.px(16), at.y + text.y + theme.px(8)},
-                               kCellPill, theme.px(6));
-            draw.AddText(small, small->FontSize, {at.x + theme.px(8), at.y + theme.px(4)}, kCellDim,
+                               kPill, theme.px(6));
+            draw.AddText(small, small->FontSize, {at.x + theme.px(8), at.y + theme.px(4)}, kPillDim,
                          detail.c_str(), nullptr, wrap);
         }
         if (comparison.inForce == static_cast<int>(i)) {

@@ -16,7 +16,7 @@ namespace voxprite::editor {
 namespace {
 
 // What an empty document shows of the scene, in voxels.
-constexpr glm::ivec3 kEmptyShown(24, 24, 12);
+constexpr glm::ivec3 kEmptyShownVoxels(24, 24, 12);
 
 // A picture that took longer than this is not drawn again at once.
 constexpr double kSlowMs = 60.0;
@@ -57,7 +57,7 @@ glm::ivec2 SpriteViewport::cellPx() const {
 
 void SpriteViewport::frameModel(const Session& session) {
     PlacedEntity placed = session.placedInGame();
-    if (session.shownBounds().empty()) placed.modelSize = kEmptyShown;
+    if (session.shownBounds().empty()) placed.modelSize = kEmptyShownVoxels;
     camera_.frame(proxyCorners(placed, session.profile().sigma), 0.25, cellPx());
 }
 

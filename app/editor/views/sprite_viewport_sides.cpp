@@ -6,15 +6,13 @@
 
 #include "app/editor/panels/trade_text.h"
 #include "app/editor/session/trade_moves.h"
+#include "app/editor/views/pill.h"
 #include "app/editor/views/sprite_viewport.h"
-#include "app/editor/window/imgui_texture.h"
+#include "app/editor/window/imgui_names.h"
 
 namespace voxprite::editor {
 namespace {
 
-constexpr ImU32 kPill = IM_COL32(16, 17, 19, 222);
-constexpr ImU32 kText = IM_COL32(240, 241, 243, 255);
-constexpr ImU32 kDim = IM_COL32(186, 190, 197, 255);
 constexpr float kGrip = 9.0f;  // of the bar, to either side
 
 // A letter on its colour, what the side is, and what was measured of it.
@@ -56,9 +54,9 @@ void drawLabel(Ui& ui, const ViewCanvas& canvas, bool isB, bool onRight, float r
         IM_COL32(16, 17, 19, 255), letter);
     const float x = at.x + 2 * pad + badge;
     const float y = at.y + std::round((size.y - titleSize.y - figuresSize.y - theme.px(2)) * 0.5f);
-    draw.AddText(text, text->FontSize, {x, y}, kText, title.c_str(), nullptr, most);
-    draw.AddText(small, small->FontSize, {x, y + titleSize.y + theme.px(2)}, kDim, figures.c_str(),
-                 nullptr, most);
+    draw.AddText(text, text->FontSize, {x, y}, kPillText, title.c_str(), nullptr, most);
+    draw.AddText(small, small->FontSize, {x, y + titleSize.y + theme.px(2)}, kPillDim,
+                 figures.c_str(), nullptr, most);
     ui.probe.mark(isB ? "sprite.side.b" : "sprite.side.a", at, {at.x + size.x, at.y + size.y});
 }
 
@@ -89,10 +87,10 @@ void SpriteViewport::drawWipeBar(Ui& ui) {
     ImDrawList& draw = canvas_.overlay();
     const float half = theme.px(1);
     draw.AddRectFilled({x - half - 1, top.y}, {x + half + 1, bottom.y}, IM_COL32(16, 17, 19, 130));
-    draw.AddRectFilled({x - half, top.y}, {x + half, bottom.y}, kText);
+    draw.AddRectFilled({x - half, top.y}, {x + half, bottom.y}, kPillText);
     const ImVec2 knob(x, std::round((top.y + bottom.y) * 0.5f));
     const float radius = theme.px(13), arrow = theme.px(4), out = theme.px(7);
-    draw.AddCircleFilled(knob, radius, lit ? theme.accent : kText);
+    draw.AddCircleFilled(knob, radius, lit ? theme.accent : kPillText);
     draw.AddCircle(knob, radius, IM_COL32(16, 17, 19, 130), 0, theme.px(1));
     const ImU32 ink = IM_COL32(16, 17, 19, 255);
     draw.AddTriangleFilled({x - out, knob.y}, {x - out + arrow, knob.y - arrow},

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/views/view_cube.h"
-#include "app/editor/window/imgui_texture.h"
+#include "app/editor/window/imgui_names.h"
 
 namespace voxprite::editor {
 namespace {

@@ -11,7 +11,7 @@ namespace {
 // cheaper.
 constexpr int kMostEdge = 256;
 // While the artist draws, each frame has another model.
-constexpr int kStillFrames = 12;
+constexpr int kRestFrames = 12;
 
 bool isWorthTrying(const IBox& bounds) {
     const glm::ivec3 size = bounds.size();
@@ -44,7 +44,7 @@ void VoxelClusters::follow(const Session& session, DrawBy drawBy) {
     seen_ = model;
     const bool known = made_ == model || failed_ == model;
     pending_ = wanted && !known && !session.previews();
-    if (pending_ && !job_.running() && stillFrames_ >= kStillFrames) start(session, model);
+    if (pending_ && !job_.running() && stillFrames_ >= kRestFrames) start(session, model);
 }
 
 void VoxelClusters::start(const Session& session, const Model& model) {

@@ -14,7 +14,7 @@ namespace voxprite::editor {
 namespace {
 
 // What an empty document shows of the ground, in voxels.
-constexpr IBox kEmptyShown{{-12, -12, 0}, {12, 12, 12}};
+constexpr IBox kEmptyShownBox{{-12, -12, 0}, {12, 12, 12}};
 
 const char* modeName(EditMode mode) {
     switch (mode) {
@@ -73,7 +73,7 @@ Result<VoxelViewport> VoxelViewport::create() {
 
 void VoxelViewport::frameModel(const Session& session) {
     const IBox& bounds = session.bounds();
-    frameBox(bounds.empty() ? kEmptyShown : bounds);
+    frameBox(bounds.empty() ? kEmptyShownBox : bounds);
 }
 
 void VoxelViewport::frameBox(const IBox& box) {

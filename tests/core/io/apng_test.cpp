@@ -11,7 +11,7 @@
 namespace voxprite::test {
 namespace {
 
-struct Chunk {
+struct PngChunk {
     std::string type;
     Bytes content;
 };
@@ -32,8 +32,8 @@ std::uint32_t crcOf(const Bytes& bytes, std::size_t from, std::size_t to) {
     return ~crc;
 }
 
-std::vector<Chunk> chunksOf(const Bytes& file) {
-    std::vector<Chunk> chunks;
+std::vector<PngChunk> chunksOf(const Bytes& file) {
+    std::vector<PngChunk> chunks;
     for (std::size_t at = 8; at < file.size();) {
         const std::size_t length = number(file, at);
         EXPECT_EQ(number(file, at + 8 + length), crcOf(file, at + 4, at + 8 + length));
@@ -64,15 +64,15 @@ TEST(Apng, ViewersThatKnowNoAnimationSeeTheFirstFrame) {
 TEST(Apng, HoldsEveryFrameInOrder) {
     const std::vector<AnimationFrame> frames = threeFrames();
     const Bytes file = must(writeApng(frames));
-    const std::vector<Chunk> chunks = chunksOf(file);
+    const std::vector<PngChunk> chunks = chunksOf(file);
     std::string types;
-    for (const Chunk& chunk : chunks) types += chunk.type + " ";
+    for (const PngChunk& chunk : chunks) types += chunk.type + " ";
     EXPECT_EQ(types, "IHDR acTL fcTL IDAT fcTL fdAT fcTL fdAT IEND ");
     EXPECT_EQ(number(chunks[1].content, 0), 3u);
     EXPECT_EQ(number(chunks[1].content, 4), 0u);  // for ever
     std::uint32_t sequence = 0;
     std::size_t frame = 0;
-    for (const Chunk& chunk : chunks) {
+    for (const PngChunk& chunk : chunks) {
         if (chunk.type == "fcTL") {
             ASSERT_EQ(chunk.content.size(), 26u);
             EXPECT_EQ(number(chunk.content, 0), sequence++);
@@ -85,7 +85,7 @@ TEST(Apng, HoldsEveryFrameInOrder) {
         if (chunk.type != "fdAT") continue;
         EXPECT_EQ(number(chunk.content, 0), sequence++);
         // The same pixels as a PNG of that frame alone has.
-        const std::vector<Chunk> alone = chunksOf(must(writePng(frames[frame - 1].image)));
+        const std::vector<PngChunk> alone = chunksOf(must(writePng(frames[frame - 1].image)));
         EXPECT_EQ(Bytes(chunk.content.begin() + 4, chunk.content.end()), alone[1].content);
     }
     EXPECT_EQ(sequence, 5u);
