@@ -108,6 +108,7 @@ TEST_F(EntitiesInAWindow, OneIsChosenByTheMouseAndLeavingKeepsTheDocument) {
     };
     browseToSet();
     key("Escape");
+    awaitDialog("");
     awaitDocument("figure", voxels.get<std::size_t>());
     browseToSet();
     click(centreOf("entities.cancel"));
@@ -221,6 +222,7 @@ TEST_F(EntitiesInAWindow, FilesAreDroppedOnTheWindow) {
     click(centreOf("unsaved.discard"));
     awaitDialog("entities");
     key("Escape");
+    awaitDialog("");
     awaitDocument("figure", edited);
     EXPECT_TRUE(state().at("unsaved"));
     ASSERT_TRUE(dropped(display(), middle, {file("set.svo")}));

@@ -223,7 +223,7 @@ bool EntityDialog::drawFooter(Ui& ui, bool listens) {
     const ImVec2 button = ui.theme.px(108, 30);
     placeButtons(ui, button, 2);
     if (asks_ == Asks::some) drawTicking(ui, ui.theme.px(72, 30));
-    if (ImGui::Button("Cancel", button) || (listens && pressedKey(ImGuiKey_Escape))) close();
+    if (ImGui::Button("Cancel", button) || pressedKey(ImGuiKey_Escape)) close();
     ui.probe.markItem("entities.cancel");
     ImGui::SameLine();
     const std::size_t count =
@@ -242,7 +242,7 @@ std::optional<EntityDialog::Answer> EntityDialog::draw(Ui& ui) {
     if (!isOpen()) return std::nullopt;
     const char* title = asks_ == Asks::one ? "Open which one?" : "Add which ones?";
     if (!beginDialog(ui, "##entities", title, kEntityDialogWidth)) return std::nullopt;
-    // The key that chose the file does not answer this, too.
+    // The Enter that chose the file does not answer this, too.
     const bool listens = !ImGui::IsWindowAppearing();
     std::string text =
         file_.filename().string() + " holds " + grouped(rows_.size()) + " models for the game.";
@@ -253,7 +253,7 @@ std::optional<EntityDialog::Answer> EntityDialog::draw(Ui& ui) {
     ImGui::PopStyleColor();
     ImGui::Dummy(ui.theme.px(0, 2));
     if (rows_.size() > kEntityRows) drawSearch(ui);
-    if (listens && !found_.empty()) moveByKeys();
+    if (!found_.empty()) moveByKeys();
     const bool twice = drawList(ui);
     std::optional<Answer> chosen;
     if (drawFooter(ui, listens) || twice) {

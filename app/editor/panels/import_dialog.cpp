@@ -80,8 +80,7 @@ ImportDialog::Answer ImportDialog::draw(Ui& ui) {
     const ImVec2 button = ui.theme.px(108, 30);
     placeButtons(ui, button, 2);
     Answer answer = Answer::none;
-    if (ImGui::Button("Cancel", button) || (listens && pressedKey(ImGuiKey_Escape)))
-        answer = Answer::cancel;
+    if (ImGui::Button("Cancel", button) || pressedKey(ImGuiKey_Escape)) answer = Answer::cancel;
     ui.probe.markItem("import.cancel");
     ImGui::SameLine();
     if (primaryButton(ui, "Import", button) || (listens && pressedKey(ImGuiKey_Enter)))
