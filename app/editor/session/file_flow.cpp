@@ -126,7 +126,7 @@ void FileFlow::finishWork() {
     }
 }
 
-void FileFlow::step(std::string title, Prepare prepare) {
+void FileFlow::step(std::string title, const Prepare& prepare) {
     const Session& session = context_.session;
     const auto working = [this, &session, prepare](JobProgress& progress) -> BackgroundJob::Done {
         const std::stop_token stop = progress.stopToken();

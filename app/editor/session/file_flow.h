@@ -52,7 +52,7 @@ class FileFlow {
     // was stopped.
     using Prepare =
         std::function<Result<std::shared_ptr<Session::Prepared>>(const Session&, const Progress&)>;
-    void step(std::string title, Prepare prepare);
+    void step(std::string title, const Prepare& prepare);
 
     // A step of a drag that takes long: of those that follow each other only the newest is made, as
     // soon as the one before it is in force. The hand goes on meanwhile.
