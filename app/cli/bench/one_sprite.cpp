@@ -27,7 +27,8 @@ class OneSprite {
         const glm::ivec3 size = model.octree.size;
         const int longest = std::max({size.x, size.y, size.z});
         const double wanted = 0.75 * kFramePx.y / kScreenPxPerPx / longest;
-        profile_.sigma = std::exp2(std::round(std::log2(wanted)));
+        profile_.sigma =
+            std::clamp(std::exp2(std::round(std::log2(wanted))), kLeastSigma, kMostSigma);
         profile_.depth = DepthRule::centre;
         profile_.viewStepDegrees = 0.0;
         SceneEntity entity;
