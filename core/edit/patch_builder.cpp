@@ -5,8 +5,6 @@
 #include <string>
 #include <tuple>
 
-#include "core/base/check.h"
-
 namespace voxprite {
 
 namespace {

@@ -1,6 +1,5 @@
 #include "core/edit/patches.h"
 
-#include "core/base/check.h"
 #include "core/edit/patch_builder.h"
 #include "core/edit/voxel_changes.h"
 

@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "core/base/check.h"
 #include "core/edit/patch_builder.h"
 #include "core/edit/regions.h"
 #include "core/edit/selection.h"
