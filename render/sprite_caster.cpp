@@ -82,14 +82,16 @@ void readTile(const SpriteTextures& textures, glm::ivec2 corner, glm::ivec2 size
 }  // namespace
 
 SpriteTextures::SpriteTextures(glm::ivec2 size, bool withIds)
-    : colours(dataTexture(size)), framebuffer(gl::createFramebuffer()), capacity(size) {
+    : colours(dataTexture(size)), capacity(size) {
+    if (withIds) ids = dataTexture(size);
+}
+
+SpriteTarget::SpriteTarget(glm::ivec2 size)
+    : textures(size, true), framebuffer(gl::createFramebuffer()) {
     const GLenum targets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-    glNamedFramebufferTexture(framebuffer.id(), GL_COLOR_ATTACHMENT0, colours.id(), 0);
-    if (withIds) {
-        ids = dataTexture(size);
-        glNamedFramebufferTexture(framebuffer.id(), GL_COLOR_ATTACHMENT1, ids.id(), 0);
-    }
-    glNamedFramebufferDrawBuffers(framebuffer.id(), withIds ? 2 : 1, targets);
+    glNamedFramebufferTexture(framebuffer.id(), GL_COLOR_ATTACHMENT0, textures.colours.id(), 0);
+    glNamedFramebufferTexture(framebuffer.id(), GL_COLOR_ATTACHMENT1, textures.ids.id(), 0);
+    glNamedFramebufferDrawBuffers(framebuffer.id(), 2, targets);
 }
 
 Status SpriteCaster::checkSize(glm::ivec2 size) {
@@ -164,7 +166,7 @@ Status SpriteCaster::castRays(const std::vector<CastJob>& jobs, Run part, Sprite
     const SpriteVariants ids = withIds ? kSpriteIds : kPlain;
     if (Status ready = cast_.use(castVariants(first, block) | ids); !ready) return ready;
     bindTexture(TextureUnit::svo, first.octreeTexture);
-    shapes_.set(block);
+    castBlock_.set(BlockBinding::spriteDraw, block);
     std::vector<CastTile> tiles;
     for (std::size_t k = part.first; k < part.end; ++k) {
         const glm::ivec2 size = jobs[k].block.region_size;
@@ -185,7 +187,7 @@ Status SpriteCaster::castRays(const std::vector<CastJob>& jobs, Run part, Sprite
 }
 
 Status SpriteCaster::castSinglePass(const CastJob& job, std::uint32_t litRows,
-                                    const SpriteLook& look, SpriteTextures& target) {
+                                    const SpriteLook& look, const SpriteTarget& target) {
     // A rectangle over all of the target.
     const std::array<glm::vec4, 4> corners{glm::vec4(-1, -1, 0, 1), glm::vec4(1, -1, 0, 1),
                                            glm::vec4(-1, 1, 0, 1), glm::vec4(1, 1, 0, 1)};
@@ -217,7 +219,7 @@ Result<SpriteBuffer> SpriteCaster::castBuffer(const GpuOctree& octree, const Lat
     buffer.ids.assign(count, kIdEmpty);
     if (count == 0 || octree.texture() == 0) return buffer;
 
-    SpriteTextures target(glm::min(lattice.size, glm::ivec2(kTileEdge + 2)), true);
+    SpriteTarget target(glm::min(lattice.size, glm::ivec2(kTileEdge + 2)));
     bufferLit_.forgetAll();
     const std::optional<int> litRow = bufferLit_.rowOf(1, lit);
     std::vector<CastJob> jobs(1);
@@ -240,7 +242,7 @@ Result<SpriteBuffer> SpriteCaster::castBuffer(const GpuOctree& octree, const Lat
                     ? cast(jobs, bufferLit_.texture(), SpriteLook(lit), true)
                     : castSinglePass(job, bufferLit_.texture(), SpriteLook(lit), target);
             if (!done) return tl::unexpected(done.error());
-            readTile(target, low - paddedLow, high - low, low, buffer);
+            readTile(target.textures, low - paddedLow, high - low, low, buffer);
         }
     }
     return buffer;

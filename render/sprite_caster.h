@@ -20,11 +20,18 @@ namespace voxprite {
 struct SpriteTextures {
     gl::Texture colours;  // R32UI: words of RGBA8
     gl::Texture ids;      // R32UI, if wanted
-    gl::Framebuffer framebuffer;
     glm::ivec2 capacity{0};
 
     SpriteTextures() = default;
     SpriteTextures(glm::ivec2 size, bool withIds);
+};
+
+// Both textures to draw into.
+struct SpriteTarget {
+    SpriteTextures textures;
+    gl::Framebuffer framebuffer;
+
+    explicit SpriteTarget(glm::ivec2 size);
 };
 
 // A sprite to cast: block.region_size pixels into `framebuffer` at block.atlas_place.
@@ -58,7 +65,7 @@ class SpriteCaster {
     [[nodiscard]] Status castInto(const std::vector<CastJob>& jobs, Run run, SpriteDrawBlock block,
                                   bool withIds);
     [[nodiscard]] Status castSinglePass(const CastJob& job, std::uint32_t litRows,
-                                        const SpriteLook& look, SpriteTextures& target);
+                                        const SpriteLook& look, const SpriteTarget& target);
     // The rays of jobs of one octree and one kind of lattice, into the scratch buffer.
     [[nodiscard]] Status castRays(const std::vector<CastJob>& jobs, Run part, SpriteDrawBlock block,
                                   bool withIds);
@@ -68,6 +75,7 @@ class SpriteCaster {
     SpriteProgram outline_{"sprite_region.vert", "sprite_outline.frag"};
     SpriteProgram single_{"sprite_quad.vert", "sprite_single.frag"};
     SpriteShapes shapes_;
+    gl::UniformBuffer castBlock_;
     gl::StorageBuffer sprites_, corners_, tiles_;
     LitRows bufferLit_;  // of castBuffer
     OcclusionRays occlusionRays_;

@@ -63,12 +63,8 @@ SpriteShapes::SpriteShapes()
     }
 }
 
-void SpriteShapes::set(const SpriteDrawBlock& block) {
-    drawBlock_.set(BlockBinding::spriteDraw, block);
-}
-
 void SpriteShapes::draw(const SpriteDrawBlock& block, bool boxes) {
-    set(block);
+    drawBlock_.set(BlockBinding::spriteDraw, block);
     glBindVertexArray((boxes ? boxes_ : quads_).vertices.id());
     const auto each = static_cast<int>(boxes ? kBox.size() : kQuad.size());
     glDrawElementsInstanced(GL_TRIANGLES, each * std::min(block.sprite_count, kGroupSize),

@@ -37,8 +37,6 @@ class SpriteProgram {
 class SpriteShapes {
   public:
     SpriteShapes();
-    // For programs that draw no shapes.
-    void set(const SpriteDrawBlock& block);
     // One draw of the program and the buffers that are bound, into the framebuffer that is bound.
     void draw(const SpriteDrawBlock& block, bool boxes = false);
 

@@ -23,7 +23,7 @@ constexpr std::array<const char*, 12> kParts{"cast",    "raycast", "bake",  "upd
                                              "memory",  "frame",   "shade", "clusters",
                                              "latency", "start",   "loops", "files"};
 
-struct Options {
+struct BenchOptions {
     std::vector<std::string> only;
     bool quick = false;
     bool markdown = false;
@@ -41,7 +41,7 @@ Result<Json> readKept(const std::string& file) {
 }
 
 // Ratios to what was kept and to the rivals, and what is to be kept of this run.
-Status addRatios(const Options& options, const std::optional<Json>& kept, Report& report) {
+Status addRatios(const BenchOptions& options, const std::optional<Json>& kept, Report& report) {
     const Json run = report.json;
     if (kept) {
         const std::vector<bench::Ratio> ratios = bench::ratiosOf(run, *kept);
@@ -54,7 +54,7 @@ Status addRatios(const Options& options, const std::optional<Json>& kept, Report
                                bench::keptFigures(run, VOXPRITE_COMMIT).dump(1) + "\n");
 }
 
-std::filesystem::path corpusOf(const Options& options) {
+std::filesystem::path corpusOf(const BenchOptions& options) {
     if (options.corpus) return *options.corpus;
     const char* const variable = std::getenv("VOXPRITE_CORPUS");
     return variable != nullptr ? variable : "";
@@ -83,7 +83,7 @@ std::string describe(const Json& json) {
     return text.str();
 }
 
-Result<Report> runBench(const Options& options) {
+Result<Report> runBench(const BenchOptions& options) {
     const auto wanted = [&](const char* part) {
         return options.only.empty() || std::count(options.only.begin(), options.only.end(), part);
     };
@@ -143,7 +143,7 @@ Result<Report> runBench(const Options& options) {
 
 void addBench(CLI::App& app, Command& command) {
     CLI::App& sub = *app.add_subcommand("bench", "Measure this machine");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BenchOptions>();
     sub.add_option("--only", options->only,
                    "Only these parts: cast, raycast, bake, update, memory, frame, shade, clusters, "
                    "latency, start, loops, files")

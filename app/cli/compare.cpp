@@ -8,7 +8,7 @@
 namespace voxprite::cli {
 namespace {
 
-struct Options {
+struct CompareOptions {
     std::string a, b;
 };
 
@@ -29,7 +29,7 @@ std::string describe(const ImageComparison& c) {
     return text;
 }
 
-Result<Report> compare(const Options& options) {
+Result<Report> compare(const CompareOptions& options) {
     const Result<Image> a = readPngFile(options.a);
     if (!a) return Failure(a.error());
     const Result<Image> b = readPngFile(options.b);
@@ -55,7 +55,7 @@ Result<Report> compare(const Options& options) {
 
 void addCompare(CLI::App& app, Command& command) {
     CLI::App& sub = *app.add_subcommand("compare", "Measure how different two pictures are");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CompareOptions>();
     sub.add_option("A", options->a, "A PNG")->required();
     sub.add_option("B", options->b, "Another PNG of the same size")->required();
     addJsonFlag(sub, command);

@@ -11,7 +11,7 @@
 namespace voxprite::cli {
 namespace {
 
-struct Options {
+struct ConvertOptions {
     std::vector<std::string> inputs;
     std::optional<std::string> output, folder, to, log, profile, variant;
     std::optional<int> jobs;
@@ -21,7 +21,7 @@ struct Options {
     bool* json = nullptr;  // owned by the Command
 };
 
-Result<Report> convertMany(const Options& options) {
+Result<Report> convertMany(const ConvertOptions& options) {
     BatchCommand batch;
     batch.inputs = options.inputs;
     batch.folder = *options.folder;
@@ -37,7 +37,7 @@ Result<Report> convertMany(const Options& options) {
     return convertBatch(batch);
 }
 
-Result<Report> convertOne(const Options& options) {
+Result<Report> convertOne(const ConvertOptions& options) {
     const std::string& input = options.inputs[0];
     const std::string& output = *options.output;
     // Before any work: is the output of a kind that can be written?
@@ -79,7 +79,7 @@ Result<Report> convertOne(const Options& options) {
     return report;
 }
 
-Result<Report> convert(const Options& options) {
+Result<Report> convert(const ConvertOptions& options) {
     if (options.folder) {
         if (options.output) throw CLI::ValidationError("-o and --out-dir exclude one another");
         return convertMany(options);
@@ -101,7 +101,7 @@ void addConvert(CLI::App& app, Command& command) {
     CLI::App& sub = *app.add_subcommand("convert", "Convert between formats by file ending: from " +
                                                        listed(modelEndings()) + " to " +
                                                        listed(writtenEndings()));
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ConvertOptions>();
     options->json = &command.json;
     sub.add_option("IN", options->inputs, "The files to read")->required();
     sub.add_option("-o,--output", options->output, "The file to write")->type_name("OUT");

@@ -12,7 +12,7 @@
 namespace voxprite::cli {
 namespace {
 
-struct Options {
+struct ExportOptions {
     std::vector<std::string> inputs;
     std::string output;
     std::optional<std::string> profile;
@@ -38,7 +38,8 @@ Json modelsJson(const SvoFile& file) {
     return models;
 }
 
-Result<LoadedDocument> load(const Options& options, const std::string& input, Json& warnings) {
+Result<LoadedDocument> load(const ExportOptions& options, const std::string& input,
+                            Json& warnings) {
     Result<LoadedDocument> loaded =
         loadSource(input, options.model, options.variant, options.reading);
     if (!loaded) return loaded;
@@ -48,7 +49,7 @@ Result<LoadedDocument> load(const Options& options, const std::string& input, Js
     return loaded;
 }
 
-Result<Report> exportOne(const Options& options) {
+Result<Report> exportOne(const ExportOptions& options) {
     const std::string& input = options.inputs[0];
     Json warnings = Json::array();
     const Result<LoadedDocument> loaded = load(options, input, warnings);
@@ -92,7 +93,7 @@ Json entityJson(const SvoFile& entity, const std::string& input) {
 }
 
 // Several entities into one file: one for each input, or for each of their models.
-Result<Report> exportSet(const Options& options) {
+Result<Report> exportSet(const ExportOptions& options) {
     std::deque<std::pair<LoadedDocument, GameProfile>> sources;  // members refer to them
     std::vector<SetMember> members;
     std::vector<std::string> inputs;  // of each member
@@ -144,7 +145,7 @@ Result<Report> exportSet(const Options& options) {
     return report;
 }
 
-Result<Report> exportSvo(const Options& options) {
+Result<Report> exportSvo(const ExportOptions& options) {
     const Result<Format> format = formatOf(options.output);
     if (!format || *format != Format::svo) {
         throw CLI::ValidationError("--output", "the octree's file must end in .svo");
@@ -158,7 +159,7 @@ Result<Report> exportSvo(const Options& options) {
 void addExport(CLI::App& app, Command& command) {
     CLI::App& sub =
         *app.add_subcommand("export", "Write the octrees that the game's runtime loads");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ExportOptions>();
     options->json = &command.json;
     sub.add_option("IN", options->inputs,
                    "The model to export; several become entities of one file, each with its own "

@@ -13,7 +13,7 @@
 namespace voxprite::cli {
 namespace {
 
-struct Options {
+struct InspectOptions {
     std::string file;
     ReadOptions reading;
 };
@@ -209,7 +209,7 @@ Report reportOfSet(const std::vector<SvoFile>& set, const std::string& file) {
     return report;
 }
 
-Result<Report> inspect(const Options& options) {
+Result<Report> inspect(const InspectOptions& options) {
     const Result<std::vector<SvoFile>> set =
         options.reading.entity ? std::vector<SvoFile>{} : severalEntities(options.file);
     if (!set) return Failure(set.error());
@@ -226,7 +226,7 @@ Result<Report> inspect(const Options& options) {
 
 void addInspect(CLI::App& app, Command& command) {
     CLI::App& sub = *app.add_subcommand("inspect", "Say what is in a file");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<InspectOptions>();
     sub.add_option("FILE", options->file, "A model: " + listed(modelEndings()))->required();
     addEntityOption(sub, options->reading);
     addJsonFlag(sub, command);

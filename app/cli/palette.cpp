@@ -10,7 +10,7 @@
 namespace voxprite::cli {
 namespace {
 
-struct Options {
+struct PaletteOptions {
     std::string input;
     std::optional<std::string> output, import, variant;
     ReadOptions reading;
@@ -19,7 +19,7 @@ struct Options {
 };
 
 // The variant that is named; added first when colours shall go into it.
-Result<VariantIndex> variantFor(Palette& palette, const Options& options) {
+Result<VariantIndex> variantFor(Palette& palette, const PaletteOptions& options) {
     if (!options.variant) return VariantIndex();
     if (const VariantIndex known = palette.variantNamed(*options.variant)) return known;
     if (!options.import) {
@@ -49,7 +49,7 @@ Json colourJson(const Palette& palette, std::uint8_t index, std::uint64_t voxels
             {"voxels", voxels}};
 }
 
-Result<Report> palette(const Options& options) {
+Result<Report> palette(const PaletteOptions& options) {
     Result<LoadedDocument> loaded = loadDocument(options.input, options.reading);
     if (!loaded) return Failure(loaded.error());
     Document& document = loaded->document;
@@ -95,7 +95,7 @@ Result<Report> palette(const Options& options) {
 
 void addPalette(CLI::App& app, Command& command) {
     CLI::App& sub = *app.add_subcommand("palette", "Take colours out of a model, or put them in");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<PaletteOptions>();
     sub.add_option("IN", options->input, "A model: " + listed(modelEndings()))->required();
     sub.add_option("-o,--output", options->output,
                    "A file of colours (.png, .gpl, .pal), or the model with the colours changed")

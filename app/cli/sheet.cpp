@@ -14,7 +14,7 @@
 namespace voxprite::cli {
 namespace {
 
-struct Options {
+struct SheetCommandOptions {
     std::string input, output;
     std::optional<std::string> turntable, profile;
     std::optional<int> model;
@@ -38,7 +38,7 @@ std::vector<std::string> namesFrom(const std::string& text) {
     return names;
 }
 
-Result<GameProfile> profileOf(const Options& options) {
+Result<GameProfile> profileOf(const SheetCommandOptions& options) {
     GameProfile profile;
     if (options.profile) {
         const Result<GameProfile> read = readProfileFile(*options.profile);
@@ -53,7 +53,7 @@ Result<GameProfile> profileOf(const Options& options) {
     return profile;
 }
 
-Result<Report> sheet(const Options& options) {
+Result<Report> sheet(const SheetCommandOptions& options) {
     const std::filesystem::path output(options.output);
     if (output.extension() != ".png") {
         throw CLI::ValidationError("--output", "the sheet's file must end in .png");
@@ -110,7 +110,7 @@ Result<Report> sheet(const Options& options) {
     return report;
 }
 
-void addLayoutOptions(CLI::App& sub, const std::shared_ptr<Options>& options) {
+void addLayoutOptions(CLI::App& sub, const std::shared_ptr<SheetCommandOptions>& options) {
     SheetOptions& sheet = options->sheet;
     sub.add_option("--directions", sheet.directions, "How many views round the model (8)")
         ->check(CLI::Range(1, 360));
@@ -157,7 +157,7 @@ void addLayoutOptions(CLI::App& sub, const std::shared_ptr<Options>& options) {
 
 void addSheet(CLI::App& app, Command& command) {
     CLI::App& sub = *app.add_subcommand("sheet", "Write a sprite sheet and its JSON (Aseprite's)");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SheetCommandOptions>();
     sub.add_option("IN", options->input, "The model")->required();
     sub.add_option("-o,--output", options->output, "The sheet; its text stands beside it as .json")
         ->required()

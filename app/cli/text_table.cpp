@@ -1,6 +1,8 @@
 #include "app/cli/text_table.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <iomanip>
 #include <sstream>
 
@@ -45,6 +47,13 @@ std::string textOf(double number) {
     std::ostringstream text;
     text << std::setprecision(4) << number;
     return text.str();
+}
+
+std::string percentText(double share) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), share < 0.0995 && share > 0.0 ? "%.2f %%" : "%.1f %%",
+                  100.0 * share);
+    return text.data();
 }
 
 }  // namespace voxprite::cli

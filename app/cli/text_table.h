@@ -15,5 +15,7 @@ enum class TableStyle : std::uint8_t { plain, markdown };
 
 // Four digits, without trailing zeros.
 [[nodiscard]] std::string textOf(double number);
+// "0.42 %", "12.3 %"
+[[nodiscard]] std::string percentText(double share);
 
 }  // namespace voxprite::cli

@@ -18,7 +18,7 @@
 namespace voxprite::cli {
 namespace {
 
-struct Options {
+struct TradeOptions {
     trade::ReportOptions report;
     std::vector<std::string> files;
     bool conformance = false;
@@ -32,7 +32,7 @@ struct Options {
     }
 };
 
-void addConformance(const Options& options, Report& report, std::vector<std::string>& broken) {
+void addConformance(const TradeOptions& options, Report& report, std::vector<std::string>& broken) {
     const std::vector<conformance::Comparison> all = conformance::compareReadings();
     std::vector<std::vector<std::string>> rows{
         {"row", "what goes wrong", "literal", "voxprite", "promised", "unit", "how measured"}};
@@ -89,7 +89,7 @@ void addSweep(const conformance::Sweep& sweep, std::vector<std::vector<std::stri
                       {"figures", std::move(figures)}});
 }
 
-void addStability(const Options& options, Report& report, std::vector<std::string>& broken) {
+void addStability(const TradeOptions& options, Report& report, std::vector<std::string>& broken) {
     std::vector<std::vector<std::string>> rows{{"sweep", "over", "cases", "refused", "failures",
                                                 "figure", "measured", "promised", "unit"}};
     Json& sweeps = report.json["stability"] = Json::array();
@@ -118,7 +118,7 @@ Result<std::vector<conformance::TurningModel>> turningModels(
     return models;
 }
 
-Status addTemporal(const Options& options, Report& report) {
+Status addTemporal(const TradeOptions& options, Report& report) {
     const auto models = turningModels(options.files);
     if (!models) return Failure(models.error());
     std::vector<std::vector<std::string>> rows{{"view step", "frames that change",
@@ -143,7 +143,7 @@ Status addTemporal(const Options& options, Report& report) {
 }
 
 // Error and cost, a column a size.
-Status addRepresentations(const Options& options, Report& report) {
+Status addRepresentations(const TradeOptions& options, Report& report) {
     const auto models = turningModels(options.files);
     if (!models) return Failure(models.error());
     const std::vector<double> sizesPx{4, 8, 16, 32, 64, 128};
@@ -169,7 +169,7 @@ Status addRepresentations(const Options& options, Report& report) {
     return {};
 }
 
-Status addSnapshots(const Options& options, Report& report) {
+Status addSnapshots(const TradeOptions& options, Report& report) {
     const auto models = turningModels(options.files);
     if (!models) return Failure(models.error());
     const auto rounded = [](double value) { return textOf(std::round(10.0 * value) / 10.0); };
@@ -205,7 +205,7 @@ Status addSnapshots(const Options& options, Report& report) {
     return {};
 }
 
-Result<Report> runTrade(const Options& options) {
+Result<Report> runTrade(const TradeOptions& options) {
     const bool figures = options.conformance || options.stability || options.temporal ||
                          options.representations || options.snapshots;
     if (options.report.folder.empty() && !figures)
@@ -249,7 +249,7 @@ Result<Report> runTrade(const Options& options) {
 
 void addTrade(CLI::App& app, Command& command) {
     CLI::App& sub = *app.add_subcommand("trade", "Measure what the sprite's choices cost and gain");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<TradeOptions>();
     CLI::Option_group& figures = *sub.add_option_group("Figures");
     figures.add_flag("--conformance", options->conformance,
                      "The specification's literal reading against ours, decision by decision");

@@ -13,10 +13,6 @@
 namespace voxprite::trade {
 namespace {
 
-std::string percent(double share) {
-    return cli::textOf(std::round(1e4 * share) / 100.0) + " %";
-}
-
 std::vector<Axis> axesOf(const std::vector<std::string>& names) {
     if (names.empty()) return allAxes();
     std::vector<Axis> axes{Axis::game};
@@ -44,7 +40,7 @@ Choice choose(const ReportOptions& options, const Curve& curve) {
         return options.budgetError ? cheapestWithin(curve, *options.budgetError, wish)
                                    : bestWithin(curve, *options.budgetMs, wish);
     };
-    choice.asked = options.budgetError ? "an error of " + percent(*options.budgetError)
+    choice.asked = options.budgetError ? "an error of " + cli::percentText(*options.budgetError)
                                        : cli::textOf(*options.budgetMs) + " ms a frame";
     choice.best = found(false);
     choice.bestProfile = found(true);
@@ -68,7 +64,7 @@ std::string sentence(const Curve& curve, const std::optional<std::size_t>& at) {
     const Point& point = curve.points[*at];
     return point.name + " (" + cli::textOf(point.milliseconds()) + " ms, " +
            std::to_string(std::llround(point.rays())) + " rays, FLIP " +
-           percent(point.error(Yardstick::sprite)) + ")";
+           cli::percentText(point.error(Yardstick::sprite)) + ")";
 }
 
 // Adds what the budget chooses to the report, and writes the profile that was asked for.

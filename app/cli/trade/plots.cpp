@@ -36,12 +36,8 @@ constexpr std::array<Look, kAxes> kLooks{{
 }};
 constexpr Rgba8 kFrontColour{128, 132, 140, 255};
 
-std::string percent(double share) {
-    return cli::textOf(std::round(1000.0 * share) / 10.0) + " %";
-}
-
 std::string tipOf(const Point& point, Yardstick yardstick) {
-    return point.name + ": FLIP " + percent(point.error(yardstick)) + ", " +
+    return point.name + ": FLIP " + cli::percentText(point.error(yardstick)) + ", " +
            cli::textOf(point.milliseconds()) + " ms, " +
            std::to_string(std::llround(point.rays())) + " rays a frame";
 }

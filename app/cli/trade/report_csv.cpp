@@ -13,23 +13,23 @@ std::string quoted(const std::string& text) {
     return out + '"';
 }
 
-std::string number(double value) {
+std::string cell(double value) {
     if (!std::isfinite(value)) return "";
     std::array<char, 40> text{};
     std::snprintf(text.data(), text.size(), "%.9g", value);
     return text.data();
 }
-std::string number(const std::optional<double>& value) {
-    return value ? number(*value) : "";
+std::string cell(const std::optional<double>& value) {
+    return value ? cell(*value) : "";
 }
 
 std::string cells(const PictureErrors& e) {
     std::string row;
-    for (const std::string& cell :
-         {number(e.flip), number(e.flipWorst), number(e.mismatch), number(e.voxels),
-          number(e.silhouette), number(e.iou), number(e.boundaryIou), number(e.outlineKept),
-          number(e.outlineTrue), number(e.psnr), number(e.ssim)})
-        row += ',' + cell;
+    for (const std::string& text :
+         {cell(e.flip), cell(e.flipWorst), cell(e.mismatch), cell(e.voxels), cell(e.silhouette),
+          cell(e.iou), cell(e.boundaryIou), cell(e.outlineKept), cell(e.outlineTrue), cell(e.psnr),
+          cell(e.ssim)})
+        row += ',' + text;
     return row;
 }
 
@@ -42,19 +42,18 @@ void addRows(const ModelReport& model, const Curve& curve, const char* series, s
         const Setting& s = point.setting;
         for (const AtSize& at : point.bySize) {
             out += quoted(curve.model) + ',' + series + ',' + nameOf(point.axis) + ',' +
-                   quoted(point.name) + ',' + number(s.sigma) + ',' + number(s.viewStepDegrees) +
-                   ',' + number(at.sizePx) + ',' + number(at.sigmaInForce) + cells(at.sprite) +
+                   quoted(point.name) + ',' + cell(s.sigma) + ',' + cell(s.viewStepDegrees) + ',' +
+                   cell(at.sizePx) + ',' + cell(at.sigmaInForce) + cells(at.sprite) +
                    cells(at.perspective);
-            out += ',' + (at.numbers ? number(at.numbers->voxels) : "");
-            out += ',' + number(at.time.changedADegree) + ',' + number(at.time.flipsADegree) + ',' +
-                   number(at.time.crawlADegree);
+            out += ',' + (at.numbers ? cell(at.numbers->voxels) : "");
+            out += ',' + cell(at.time.changedADegree) + ',' + cell(at.time.flipsADegree) + ',' +
+                   cell(at.time.crawlADegree);
             if (at.costs) {
                 const Costs& c = *at.costs;
-                out += ',' + number(c.milliseconds.median) + ',' + number(c.milliseconds.least) +
-                       ',' + number(c.milliseconds.most) + ',' +
-                       std::to_string(c.milliseconds.runs) + ',' + number(c.rays) + ',' +
-                       number(c.casts) + ',' + number(c.bytes) + ',' +
-                       number(c.prepareMilliseconds) + ',' + c.backend;
+                out += ',' + cell(c.milliseconds.median) + ',' + cell(c.milliseconds.least) + ',' +
+                       cell(c.milliseconds.most) + ',' + std::to_string(c.milliseconds.runs) + ',' +
+                       cell(c.rays) + ',' + cell(c.casts) + ',' + cell(c.bytes) + ',' +
+                       cell(c.prepareMilliseconds) + ',' + c.backend;
             } else {
                 out += ",,,,,,,,,";
             }

@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "app/cli/text_table.h"
 #include "app/cli/trade/plots.h"
@@ -57,14 +55,8 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
-std::string percent(double share) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), share < 0.0995 && share > 0.0 ? "%.2f %%" : "%.1f %%",
-                  100.0 * share);
-    return text.data();
-}
 std::string percent(const std::optional<double>& share) {
-    return share ? percent(*share) : "–";
+    return share ? cli::percentText(*share) : "–";
 }
 std::string number(double value) {
     return std::isfinite(value) ? cli::textOf(value) : "–";
