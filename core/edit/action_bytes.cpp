@@ -82,7 +82,8 @@ std::size_t heapBytes(const SocketsEdit& edit) {
 }
 
 std::size_t heapBytes(const SceneEdit& edit) {
-    std::size_t bytes = heapBytes(edit.before) + heapBytes(edit.after);
+    std::size_t bytes =
+        heapBytes(edit.before) + heapBytes(edit.after) + edit.nodesAfter.capacity() * sizeof(int);
     for (const Model& model : edit.addedModels) bytes += sizeof(model) + model.voxels.bytes();
     return bytes;
 }

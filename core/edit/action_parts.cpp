@@ -126,6 +126,18 @@ void noteScene(Changed& changed, const SceneEdit& edit, bool modelsChange) {
     (seen ? changed.scene : changed.notes) = true;
 }
 
+// The way back; nodes that the edit adds are gone.
+std::vector<int> nodesBefore(const SceneEdit& edit) {
+    if (edit.nodesAfter.empty()) return {};
+    std::vector<int> before(edit.after.nodes.size(), -1);
+    for (std::size_t i = 0; i < edit.nodesAfter.size(); ++i) {
+        if (edit.nodesAfter[i] >= 0) {
+            before[static_cast<std::size_t>(edit.nodesAfter[i])] = static_cast<int>(i);
+        }
+    }
+    return before;
+}
+
 template <>
 void apply(Workspace& workspace, SceneEdit& edit, Changed& changed) {
     std::vector<Model>& models = workspace.document.models;
@@ -133,6 +145,7 @@ void apply(Workspace& workspace, SceneEdit& edit, Changed& changed) {
     noteScene(changed, edit, !edit.addedModels.empty());
     std::move(edit.addedModels.begin(), edit.addedModels.end(), std::back_inserter(models));
     edit.addedModels.clear();
+    changed.nodesAfter = nodesAfterBoth(std::move(changed.nodesAfter), edit.nodesAfter);
     setScene(workspace.document, edit.after);
 }
 
@@ -142,6 +155,7 @@ void revert(Workspace& workspace, SceneEdit& edit, Changed& changed) {
     const auto firstAdded = models.begin() + static_cast<std::ptrdiff_t>(edit.modelsBefore);
     std::move(firstAdded, models.end(), std::back_inserter(edit.addedModels));
     models.erase(firstAdded, models.end());
+    changed.nodesAfter = nodesAfterBoth(std::move(changed.nodesAfter), nodesBefore(edit));
     setScene(workspace.document, edit.before);
     noteScene(changed, edit, !edit.addedModels.empty());
 }
@@ -162,6 +176,17 @@ bool showsTheSame(const SceneState& a, const SceneState& b) {
     };
     return std::ranges::equal(a.layers, b.layers, sameLayer) &&
            std::ranges::equal(a.nodes, b.nodes, sameNode);
+}
+
+std::vector<int> nodesAfterBoth(std::vector<int> first, const std::vector<int>& second) {
+    if (first.empty()) return second;
+    if (second.empty()) return first;
+    for (int& node : first) {
+        if (node < 0) continue;
+        const auto index = static_cast<std::size_t>(node);
+        node = index < second.size() ? second[index] : -1;
+    }
+    return first;
 }
 
 bool recordBefore(Workspace& workspace, ActionPart& part) {

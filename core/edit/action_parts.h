@@ -11,6 +11,9 @@ namespace voxprite {
 // Forth and back; `changed` is told.
 void apply(Workspace& workspace, ActionPart& part, Changed& changed);
 void revert(Workspace& workspace, ActionPart& part, Changed& changed);
+// One after the other, as SceneEdit::nodesAfter.
+[[nodiscard]] std::vector<int> nodesAfterBoth(std::vector<int> first,
+                                              const std::vector<int>& second);
 // Of a part in force.
 [[nodiscard]] bool changesNothing(const Workspace& workspace, const ActionPart& part);
 

@@ -82,6 +82,7 @@ ColourMatch matchColours(const VoxelGrid& voxels, const Palette& source, const D
             match.palette.colours[*free] = source.colours[i];
             match.palette.names[*free] = source.names[i];
             match.palette.materials[*free] = source.materials[i];
+            for (PaletteVariant& variant : match.palette.variants) variant.overrides.erase(*free);
             ++counts[*free];
             ++match.added;
         } else {

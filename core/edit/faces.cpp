@@ -21,13 +21,6 @@ IBox withinRange(const IBox& box) {
 
 }  // namespace
 
-Result<VoxelPatch> patchFace(const Document& document, int model, const VoxelSet& face,
-                             glm::ivec3 normal, int layers, std::optional<std::uint8_t> colour,
-                             const EditLimits& limits) {
-    const MovedFace only{face, normal};
-    return patchFaces(document, model, {&only, 1}, layers, colour, limits);
-}
-
 Result<VoxelPatch> patchFaces(const Document& document, int model, std::span<const MovedFace> faces,
                               int layers, std::optional<std::uint8_t> colour,
                               const EditLimits& limits) {

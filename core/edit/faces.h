@@ -14,19 +14,14 @@ namespace voxprite {
 
 inline constexpr int kMaxFaceLayers = 1024;
 
-// `face` is what faceRegion() gave for `normal`. Positive `layers` put that many layers on it, each
-// voxel in the colour of its face or, if given, in `colour`; voxels in the way stay as they are.
-// Negative ones take that many layers away, beginning with the face. Fails beyond kMaxFaceLayers
-// and kMaxPatchVoxels.
-[[nodiscard]] Result<VoxelPatch> patchFace(const Document& document, int model,
-                                           const VoxelSet& face, glm::ivec3 normal, int layers,
-                                           std::optional<std::uint8_t> colour = std::nullopt,
-                                           const EditLimits& limits = {});
-// The same when several faces are moved at once, as symmetry makes them.
+// What faceRegion() gave for `normal`. Several are moved at once, as symmetry makes them.
 struct MovedFace {
     VoxelSet face;
     glm::ivec3 normal{0, 0, 1};
 };
+// Positive `layers` put that many layers on each face, each voxel in the colour of its face or, if
+// given, in `colour`; voxels in the way stay as they are. Negative ones take that many layers away,
+// beginning with the face. Fails beyond kMaxFaceLayers and kMaxPatchVoxels.
 [[nodiscard]] Result<VoxelPatch> patchFaces(const Document& document, int model,
                                             std::span<const MovedFace> faces, int layers,
                                             std::optional<std::uint8_t> colour = std::nullopt,

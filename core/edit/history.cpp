@@ -25,10 +25,14 @@ void mergePart(ActionPart& part, ActionPart&& later) {
     std::visit(
         [&](auto& edit) {
             auto& next = std::get<std::decay_t<decltype(edit)>>(later);
-            if constexpr (std::is_same_v<std::decay_t<decltype(edit)>, VoxelPatch>) {
+            using Edit = std::decay_t<decltype(edit)>;
+            if constexpr (std::is_same_v<Edit, VoxelPatch>) {
                 mergeChanges(edit.changes, next.changes);
             } else {
                 edit.after = std::move(next.after);
+            }
+            if constexpr (std::is_same_v<Edit, SceneEdit>) {
+                edit.nodesAfter = nodesAfterBoth(edit.nodesAfter, next.nodesAfter);
             }
         },
         part);
@@ -48,6 +52,26 @@ void mergeAction(const Workspace& workspace, Action& step, Action&& later) {
     std::erase_if(step.parts,
                   [&](const ActionPart& part) { return changesNothing(workspace, part); });
     step.label = std::move(later.label);
+}
+
+void applyAll(Workspace& workspace, std::vector<ActionPart>& parts, Changed& changed) {
+    for (ActionPart& part : parts) apply(workspace, part, changed);
+}
+
+void revertAll(Workspace& workspace, std::vector<ActionPart>& parts, Changed& changed) {
+    for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+        revert(workspace, *part, changed);
+    }
+}
+
+// Does everybody go along? Else `takeBack(changed)` leads back to where they can.
+template <class TakeBack>
+bool isFollowed(const History::Follow& follow, const Changed& changed, const TakeBack& takeBack) {
+    if (!follow || follow(changed)) return true;
+    Changed back;
+    takeBack(back);
+    static_cast<void>(follow(back));
+    return false;
 }
 
 // A step of very many voxels takes long to free: nobody waits for that.
@@ -80,7 +104,13 @@ Status makeParts(Action& action, const Document& document) {
     return {};
 }
 
-Changed History::execute(Workspace& workspace, Action action) {
+int Changed::nodeNow(int before) const {
+    const auto index = static_cast<std::size_t>(before);
+    if (before < 0 || nodesAfter.empty()) return before;
+    return index < nodesAfter.size() ? nodesAfter[index] : -1;
+}
+
+Changed History::execute(Workspace& workspace, Action action, const Follow& follow) {
     VOXPRITE_CHECK(!action.makePatches);
     Changed changed;
     std::erase_if(action.parts, [&](ActionPart& part) {
@@ -88,33 +118,40 @@ Changed History::execute(Workspace& workspace, Action action) {
         if (does) apply(workspace, part, changed);
         return !does;
     });
-    if (!action.parts.empty()) {
-        dropRedoable();
-        record(workspace, std::move(action));
-        dropOldest();
-    }
+    if (action.parts.empty()) return changed;
+    const auto takeBack = [&](Changed& back) { revertAll(workspace, action.parts, back); };
+    if (!isFollowed(follow, changed, takeBack)) return {};
+    dropRedoable();
+    record(workspace, std::move(action));
+    dropOldest();
     return changed;
 }
 
-Changed History::undo(Workspace& workspace) {
+Changed History::undo(Workspace& workspace, const Follow& follow) {
     Changed changed;
     if (!canUndo()) return changed;
-    Action& step = steps_[--position_];
+    Action& step = steps_[position_ - 1];
     bytes_ -= step.bytes();
-    for (auto part = step.parts.rbegin(); part != step.parts.rend(); ++part) {
-        revert(workspace, *part, changed);
-    }
+    revertAll(workspace, step.parts, changed);
+    const auto takeBack = [&](Changed& back) { applyAll(workspace, step.parts, back); };
+    const bool followed = isFollowed(follow, changed, takeBack);
     bytes_ += step.bytes();
+    if (!followed) return {};
+    --position_;
     return changed;
 }
 
-Changed History::redo(Workspace& workspace) {
+Changed History::redo(Workspace& workspace, const Follow& follow) {
     Changed changed;
     if (!canRedo()) return changed;
-    Action& step = steps_[position_++];
+    Action& step = steps_[position_];
     bytes_ -= step.bytes();
-    for (ActionPart& part : step.parts) apply(workspace, part, changed);
+    applyAll(workspace, step.parts, changed);
+    const auto takeBack = [&](Changed& back) { revertAll(workspace, step.parts, back); };
+    const bool followed = isFollowed(follow, changed, takeBack);
     bytes_ += step.bytes();
+    if (!followed) return {};
+    ++position_;
     return changed;
 }
 

@@ -64,6 +64,8 @@ struct SceneEdit {
     SceneState before, after;
     std::size_t modelsBefore = 0;
     std::vector<Model> addedModels;
+    // The index that each node of `before` has in `after`, -1: it is gone. Empty: the one it had.
+    std::vector<int> nodesAfter{};
 };
 
 using ActionPart =
@@ -109,7 +111,11 @@ struct Changed {
     bool sockets = false;
     bool scene = false;  // placements, visibility, models: rebuild what depends on them
     bool notes = false;  // of the scene, what no picture shows: names, locks, clips
+    // As SceneEdit::nodesAfter.
+    std::vector<int> nodesAfter;
 
+    // The index that a node (-1: none) has now; -1 when it is gone.
+    [[nodiscard]] int nodeNow(int before) const;
     [[nodiscard]] bool any() const {
         return !voxels.empty() || palette || entity || profile || sockets || scene || notes;
     }
@@ -129,14 +135,19 @@ struct PreparedStep {
 
 class History {
   public:
+    // Whoever keeps something derived from the workspace goes along with what a step changes, or
+    // says why it cannot. Then the step is taken back, and it is told of that too.
+    using Follow = std::function<Status(const Changed&)>;
+
     // Applies `action` and records it; an action that changes nothing is not recorded. Drops the
     // redoable steps, and the oldest ones while more than memoryLimitBytes() are held; the newest
     // always stays. A step that merging has brought back to its start goes away. Nothing merges
-    // into a step at which the workspace was saved, so that undo leads back to what was saved.
-    Changed execute(Workspace& workspace, Action action);
-    // Nothing to undo or redo: returns nothing changed.
-    Changed undo(Workspace& workspace);
-    Changed redo(Workspace& workspace);
+    // into a step at which the workspace was saved, so that undo leads back to what was saved. What
+    // `follow` refuses returns nothing changed, and no step is recorded, merged or dropped.
+    Changed execute(Workspace& workspace, Action action, const Follow& follow = {});
+    // Nothing to undo or redo, or `follow` refuses: returns nothing changed.
+    Changed undo(Workspace& workspace, const Follow& follow = {});
+    Changed redo(Workspace& workspace, const Follow& follow = {});
 
     // The same in two halves, for steps of very many voxels. What takes long changes nothing here,
     // so that it can go on on another thread while nobody else changes history or workspace; then

@@ -5,6 +5,9 @@
 #include <utility>
 
 #include "core/base/oklab.h"
+#include "core/edit/make_action.h"
+#include "core/edit/patch_builder.h"
+#include "core/edit/regions.h"
 
 namespace voxprite {
 
@@ -238,22 +241,24 @@ Palette withColours(Palette palette, VariantIndex variant, const ColourList& col
     return palette;
 }
 
-Action recolour(const Document& document, std::uint8_t from, std::uint8_t to,
-                std::optional<int> model) {
-    Action action;
-    std::size_t changed = 0;
-    for (std::size_t i = 0; i < document.models.size(); ++i) {
-        VoxelPatch patch;
-        patch.model = static_cast<int>(i);
-        if (from == 0 || to == 0 || from == to || (model && *model != patch.model)) continue;
-        document.models[i].voxels.forEachSolid([&](glm::ivec3 position, std::uint8_t value) {
-            if (value == from) patch.changes.push_back({position, from, to});
+Action recolour(const Document& document, std::uint8_t from, std::uint8_t to) {
+    const std::uint64_t count = from == to || to == 0 ? 0 : colourCounts(document)[from];
+    std::string label = "Recolour " + std::to_string(count) + (count == 1 ? " voxel" : " voxels");
+    return makeActionLater(
+        std::move(label), [=](const Document& now) -> Result<std::vector<VoxelPatch>> {
+            std::vector<VoxelPatch> patches;
+            if (count == 0) return patches;
+            if (count > kMaxPatchVoxels) return tooManyChanges(count);
+            for (std::size_t i = 0; i < now.models.size(); ++i) {
+                const VoxelSet found = voxelsOfColour(now.models[i].voxels, from);
+                if (found.empty()) continue;
+                Result<VoxelPatch> patch =
+                    patchSet(now, static_cast<int>(i), found, EditMode::paint, to);
+                if (!patch) return Failure(patch.error());
+                patches.push_back(std::move(*patch));
+            }
+            return patches;
         });
-        changed += patch.changes.size();
-        if (!patch.changes.empty()) action.parts.emplace_back(std::move(patch));
-    }
-    action.label = "Recolour " + std::to_string(changed) + (changed == 1 ? " voxel" : " voxels");
-    return action;
 }
 
 }  // namespace voxprite

@@ -90,8 +90,8 @@ enum class PaletteOrder : std::uint8_t {
 
 // --- voxels
 
-// Every voxel of colour `from` becomes `to`, in one model or in all.
-[[nodiscard]] Action recolour(const Document& document, std::uint8_t from, std::uint8_t to,
-                              std::optional<int> model = std::nullopt);
+// Every voxel of colour `from` becomes `to`, in all models; they are found when it is carried out.
+// Fails then beyond kMaxPatchVoxels (patches.h).
+[[nodiscard]] Action recolour(const Document& document, std::uint8_t from, std::uint8_t to);
 
 }  // namespace voxprite

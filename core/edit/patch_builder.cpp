@@ -23,6 +23,10 @@ Failure tooMany(const std::string& what) {
 
 }  // namespace
 
+Failure tooManyChanges(std::uint64_t voxels) {
+    return tooMany("would change " + std::to_string(voxels) + " voxels");
+}
+
 CubeBytes cubeBytes(const VoxelGrid& voxels, glm::ivec3 origin) {
     const VoxelBlock block = voxels.blockAt(origin);
     CubeBytes bytes;
@@ -63,7 +67,7 @@ void PatchBuilder::keepWithinLimits(Cube& cube) const {
 
 Result<VoxelPatch> PatchBuilder::finish() {
     if (changes_ > kMaxPatchVoxels) {
-        return tooMany("would change " + std::to_string(changes_) + " voxels");
+        return tooManyChanges(changes_);
     }
     std::sort(cubes_.begin(), cubes_.end(),
               [](const auto& a, const auto& b) { return comesBefore(a->origin, b->origin); });

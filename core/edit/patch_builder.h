@@ -16,6 +16,9 @@ namespace voxprite {
 
 using CubeBytes = std::array<std::uint8_t, kCubeVoxels>;  // in the order of VoxelBlock
 
+// Of an edit that would change so many.
+[[nodiscard]] Failure tooManyChanges(std::uint64_t voxels);
+
 // The cube of 8 at `origin`.
 [[nodiscard]] CubeBytes cubeBytes(const VoxelGrid& voxels, glm::ivec3 origin);
 

@@ -163,7 +163,7 @@ Action deleteNodes(const Document& document, std::span<const int> nodes) {
     const std::vector<int> gone = topmost(document, nodes);
     return sceneAction(gone.size() == 1 ? named("Delete", document, gone[0]) : "Delete objects",
                        document, [&](SceneEdit& edit) {
-                           scene::erase(edit.after, gone);
+                           scene::erase(edit, gone);
                            scene::fitClips(edit.after);
                        });
 }

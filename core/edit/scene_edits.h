@@ -54,7 +54,7 @@ enum class Copy : std::uint8_t { own, linked };
 // A group around the nodes, in the place of the last of them. It is the last node. At least one.
 [[nodiscard]] Action groupNodes(const Document& document, std::span<const int> nodes,
                                 std::string name);
-// What lies in the group takes its place, hidden or locked if the group was.
+// What lies in the group takes its place, hidden or locked if the group (or its layer) was.
 [[nodiscard]] Action ungroup(const Document& document, int group);
 // One object, the last node, with models of its own for all that lies under the nodes, hidden or
 // not, in every frame; where they overlap the later one wins. It takes the place of the last.

@@ -131,9 +131,14 @@ Action ungroup(const Document& document, int group) {
             SceneNode& node = nodeOf(edit.after.nodes, child);
             node.hidden = node.hidden || before.hidden;
             node.locked = node.locked || before.locked;
-            if (node.layer < 0) node.layer = before.layer;
+            if (node.layer < 0) {
+                node.layer = before.layer;
+            } else if (before.layer >= 0) {
+                const auto layer = static_cast<std::size_t>(before.layer);
+                node.hidden = node.hidden || document.layers[layer].hidden;
+            }
         }
-        scene::erase(edit.after, std::array{group});
+        scene::erase(edit, std::array{group});
         scene::fitClips(edit.after);
     });
 }
@@ -148,10 +153,10 @@ Action mergeNodes(const Document& document, std::span<const int> nodes, std::str
                             .keys(frames, edit.addedModels);
         const int parent = nodeOf(document.nodes, tops.back()).parent;
         const int position = scene::positionOf(document.nodes, tops.back()) + 1;
-        // Its voxels are in entity space: it begins under the root and is moved from there.
-        const int index = scene::insert(edit.after, std::move(object), 0, scene::kLast);
-        moveUnder(edit.after, std::array{index}, parent, position, frames);
-        scene::erase(edit.after, tops);
+        const int index = scene::insert(edit.after, std::move(object), parent, position);
+        // Its voxels are in entity space.
+        scene::placeInEntity(edit.after, index, Placement(), frames);
+        scene::erase(edit, tops);
         scene::keepFrames(edit.after, static_cast<int>(edit.after.nodes.size()) - 1, frames);
     });
 }

@@ -66,7 +66,8 @@ int insert(SceneState& scene, SceneNode node, int parent, int position) {
     return index;
 }
 
-void erase(SceneState& scene, std::span<const int> tops) {
+void erase(SceneEdit& edit, std::span<const int> tops) {
+    SceneState& scene = edit.after;
     const std::vector<bool> goes = subtree(scene.nodes, tops);
     std::vector<int> indexAfter(scene.nodes.size(), -1);
     std::vector<SceneNode> kept;
@@ -82,6 +83,8 @@ void erase(SceneState& scene, std::span<const int> tops) {
         std::ranges::transform(node.children, node.children.begin(), after);
     }
     scene.nodes = std::move(kept);
+    indexAfter.resize(edit.before.nodes.size());
+    edit.nodesAfter = std::move(indexAfter);
 }
 
 int frameCount(const std::vector<SceneNode>& nodes) {
@@ -107,6 +110,18 @@ void keepFrames(SceneState& scene, int node, int frames) {
     if (frameCount(scene.nodes) >= frames) return;
     std::vector<PlacementKey>& placements = nodeOf(scene.nodes, node).placements;
     placements.push_back({frames - 1, placementAt(nodeOf(scene.nodes, node), frames - 1)});
+}
+
+void placeInEntity(SceneState& scene, int node, const Placement& entityFromNode, int frames) {
+    const int parent = nodeOf(scene.nodes, node).parent;
+    const int different = standsStill(scene.nodes, parent) ? 1 : frames;
+    std::vector<PlacementKey> keys;
+    for (int frame = 0; frame < different; ++frame) {
+        const Placement place =
+            entityFromInside(scene.nodes, parent, frame).inverse() * entityFromNode;
+        if (keys.empty() || keys.back().placement != place) keys.push_back({frame, place});
+    }
+    nodeOf(scene.nodes, node).placements = std::move(keys);
 }
 
 void keepInPlace(SceneState& scene, int node, int parent, int frames) {

@@ -37,14 +37,17 @@ template <class Edit>
 [[nodiscard]] int positionOf(const std::vector<SceneNode>& nodes, int node);
 // Appends a node without children as child number `position` of `parent`; its index.
 int insert(SceneState& scene, SceneNode node, int parent, int position);
-// Takes nodes out with all under them; the indices of the others close up.
-void erase(SceneState& scene, std::span<const int> tops);
+// Takes nodes out of what is after the edit, with all under them; the indices of the others close
+// up, and the edit says so.
+void erase(SceneEdit& edit, std::span<const int> tops);
 
 [[nodiscard]] int frameCount(const std::vector<SceneNode>& nodes);
 // Cuts the clips to the frames that there are.
 void fitClips(SceneState& scene);
 // The scene keeps at least `frames` frames: the node says so, if no other does.
 void keepFrames(SceneState& scene, int node, int frames);
+// The node's placements become such that it lies there in each of `frames` frames.
+void placeInEntity(SceneState& scene, int node, const Placement& entityFromNode, int frames);
 // Hands `node` from its parent, where it stays a child, to `parent`, where it is none yet. Its
 // placements become such that it stays where it is in each of `frames` frames.
 void keepInPlace(SceneState& scene, int node, int parent, int frames);

@@ -121,14 +121,6 @@ VoxelSet selectBox(const VoxelGrid& voxels, const IBox& box) {
     return set;
 }
 
-VoxelSet selectIf(const VoxelGrid& voxels, const std::function<bool(glm::ivec3 v)>& choose) {
-    VoxelSet set;
-    voxels.forEachSolid([&](glm::ivec3 v, std::uint8_t) {
-        if (choose(v)) set.insert(v);
-    });
-    return set;
-}
-
 VoxelSet selectInside(const VoxelGrid& voxels, std::span<const HalfSpace> sides) {
     VoxelSet set;
     voxels.forEachBlock(

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <glm/vec3.hpp>
 #include <span>
 
@@ -20,10 +19,6 @@ enum class SelectMode : std::uint8_t { replace, add, remove, intersect };
 
 [[nodiscard]] VoxelSet selectAll(const VoxelGrid& voxels);
 [[nodiscard]] VoxelSet selectBox(const VoxelGrid& voxels, const IBox& box);
-// The solid voxels that `choose` says yes to: those that project into a rectangle on the screen.
-// It is asked once for every solid voxel.
-[[nodiscard]] VoxelSet selectIf(const VoxelGrid& voxels,
-                                const std::function<bool(glm::ivec3 v)>& choose);
 // Where dot(normal, p) >= offset, p in continuous model space.
 struct HalfSpace {
     glm::dvec3 normal{0.0};

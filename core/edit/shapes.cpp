@@ -206,20 +206,4 @@ Result<VoxelSet> lineVoxels(const BrushTip& tip, glm::ivec3 a, glm::ivec3 b) {
     return trail.covered();
 }
 
-IBox regularBox(glm::ivec3 a, glm::ivec3 b, int flatAxis) {
-    int longest = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (axis != flatAxis) longest = std::max(longest, std::abs(b[axis] - a[axis]));
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-        if (axis != flatAxis) b[axis] = a[axis] + (b[axis] < a[axis] ? -longest : longest);
-    }
-    return IBox::around(a, b);
-}
-
-IBox centredBox(glm::ivec3 centre, glm::ivec3 b) {
-    const glm::ivec3 reach = glm::abs(b - centre);
-    return IBox::around(centre - reach, centre + reach);
-}
-
 }  // namespace voxprite

@@ -40,10 +40,4 @@ struct Shape {
 // The tip swept along voxelLine(a, b). Fails when it is longer than kMaxShapeEdge.
 [[nodiscard]] Result<VoxelSet> lineVoxels(const BrushTip& tip, glm::ivec3 a, glm::ivec3 b);
 
-// The box from `a` to `b` made a cube: `a` stays a corner, `b` moves out to the longest edge.
-// `flatAxis` 0, 1 or 2 leaves that axis as it is (a square, a circle); -1 none.
-[[nodiscard]] IBox regularBox(glm::ivec3 a, glm::ivec3 b, int flatAxis = -1);
-// The box centred on voxel `centre` that reaches `b`: odd edges.
-[[nodiscard]] IBox centredBox(glm::ivec3 centre, glm::ivec3 b);
-
 }  // namespace voxprite

@@ -61,6 +61,7 @@ TEST(ClipColours, AreAddedWhileThereIsRoom) {
     Document document = emptyPalette();
     document.models[0].voxels = rowOf({1});  // in use, though its place is vacant
     document.palette.colours[2] = kBlue;
+    document.palette.variants = {{"Night", {{3, kGreen}}}};  // of a colour that is gone
     Palette source;
     source.colours[2] = kRed;
     source.names[2] = "Blood";
@@ -75,6 +76,7 @@ TEST(ClipColours, AreAddedWhileThereIsRoom) {
     EXPECT_EQ(match.palette.names[3], "Blood");
     EXPECT_EQ(match.palette.materials[3].at("_type"), "_glass");
     EXPECT_EQ(match.palette.colours[4], kGreen);
+    EXPECT_TRUE(match.palette.variants[0].overrides.empty());
     EXPECT_EQ(match.palette.colours[2], kBlue) << "nothing of the document's is taken away";
     EXPECT_EQ(match.palette.colours[1], Rgba8(0));
 }

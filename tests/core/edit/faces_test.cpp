@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "core/edit/regions.h"
 #include "core/edit/symmetry.h"
 #include "tests/support/edits.h"
@@ -41,7 +43,8 @@ TEST(Faces, ArePulledOutInTheirColoursAndPushedInAgain) {
                 expected.erase({at.x, at.y, at.z});
             }
         });
-        const VoxelPatch patch = patchFace(document, 0, face, normal, layers).value();
+        const MovedFace moved{face, normal};
+        const VoxelPatch patch = patchFaces(document, 0, {&moved, 1}, layers).value();
         ASSERT_EQ(afterPatch(document, patch), expected);
     }
 }
@@ -51,15 +54,16 @@ TEST(Faces, TakeAColourAndKeepWithinLimits) {
     const VoxelSet top = faceRegion(document.models[0].voxels, {1, 1, 1}, {0, 0, 1}, {}).value();
     EXPECT_EQ(top.count(), 16u);
     const IBox half{{0, 0, 0}, {2, 4, 9}};
+    const std::array faces{MovedFace{top, {0, 0, 1}}};
     const VoxelPatch patch =
-        patchFace(document, 0, top, {0, 0, 1}, 3, std::uint8_t{9}, {half, nullptr}).value();
+        patchFaces(document, 0, faces, 3, std::uint8_t{9}, {half, nullptr}).value();
     EXPECT_EQ(patch.changes.size(), 2u * 4 * 3);
     for (const VoxelChange& change : patch.changes) {
         EXPECT_EQ(change.after, 9);
         EXPECT_TRUE(half.contains(change.position));
     }
-    EXPECT_TRUE(patchFace(document, 0, top, {0, 0, 1}, 0).value().changes.empty());
-    EXPECT_FALSE(patchFace(document, 0, top, {0, 0, 1}, kMaxFaceLayers + 1));
+    EXPECT_TRUE(patchFaces(document, 0, faces, 0).value().changes.empty());
+    EXPECT_FALSE(patchFaces(document, 0, faces, kMaxFaceLayers + 1));
 }
 
 TEST(Faces, MoveTogetherUnderSymmetry) {

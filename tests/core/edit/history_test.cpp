@@ -340,6 +340,35 @@ TEST(History, UndoOfASceneEditTakesItsModelsAway) {
     EXPECT_TRUE(std::get<SceneEdit>(history.steps()[0].parts[0]).addedModels.empty());
 }
 
+// What is refused leaves no trace: not in a stroke that it would have joined, nor in what could be
+// redone.
+TEST(History, WhatNobodyCanFollowIsTakenBack) {
+    Workspace workspace;
+    History history;
+    static_cast<void>(history.execute(workspace, setVoxel({0, 0, 0}, 1, 5)));
+    static_cast<void>(history.execute(workspace, setVoxel({1, 0, 0}, 2)));
+    static_cast<void>(history.undo(workspace));
+    const Workspace before = workspace;
+    std::vector<std::size_t> told;
+    const auto refuse = [&](const Changed& changed) -> Status {
+        told.push_back(changed.voxels.size());
+        if (told.size() % 2 == 1) return fail("too long");
+        return {};
+    };
+    EXPECT_FALSE(history.execute(workspace, setVoxel({9, 0, 0}, 3, 5), refuse).any());
+    EXPECT_TRUE(same(workspace, before));
+    EXPECT_FALSE(history.redo(workspace, refuse).any());
+    EXPECT_TRUE(same(workspace, before));
+    EXPECT_FALSE(history.undo(workspace, refuse).any());
+    EXPECT_TRUE(same(workspace, before));
+    EXPECT_EQ(told, std::vector<std::size_t>(6, 1)) << "each step and its way back";
+    EXPECT_EQ(history.position(), 1u);
+    EXPECT_EQ(history.steps().size(), 2u);
+    EXPECT_EQ(history.steps()[0].parts.size(), 1u);
+    static_cast<void>(history.undo(workspace));
+    EXPECT_TRUE(workspace.document.models[0].voxels.empty());
+}
+
 TEST(History, SavedIsWhereItWasSaved) {
     History history;
     Workspace workspace;

@@ -280,7 +280,9 @@ TEST(PaletteEdits, RecolouringIsAStepThatUndoesExactly) {
     workspace.document = documentOfColours();
     const Document start = workspace.document;
     History history;
-    history.execute(workspace, recolour(start, 7, 9));
+    Action action = recolour(start, 7, 9);
+    ASSERT_TRUE(makeParts(action, start));
+    history.execute(workspace, action);
     EXPECT_EQ(history.steps().back().label, "Recolour 2 voxels");
     const ColourCounts counts = colourCounts(workspace.document);
     EXPECT_EQ(counts[7], 0u);
@@ -288,12 +290,22 @@ TEST(PaletteEdits, RecolouringIsAStepThatUndoesExactly) {
     EXPECT_EQ(counts[2], 4094u);
     history.undo(workspace);
     EXPECT_EQ(workspace.document, start);
-    history.execute(workspace, recolour(start, 7, 9, 1));
-    EXPECT_EQ(workspace.document.models[0].voxels.get({3, 3, 3}), 7);
-    EXPECT_EQ(workspace.document.models[1].voxels.get({-5, 6, 7}), 9);
-    EXPECT_TRUE(recolour(start, 7, 0).parts.empty());
-    EXPECT_TRUE(recolour(start, 0, 7).parts.empty());
-    EXPECT_TRUE(recolour(start, 7, 7).parts.empty());
+    for (Action nothing : {recolour(start, 7, 0), recolour(start, 0, 7), recolour(start, 7, 7)}) {
+        ASSERT_TRUE(makeParts(nothing, start));
+        EXPECT_TRUE(nothing.parts.empty());
+    }
+}
+
+TEST(PaletteEdits, RecolouringMoreThanAStepHoldsIsRefused) {
+    Document document = documentOfColours();
+    // Each model alone would do.
+    for (Model& model : document.models) model.voxels.fill({{0, 0, 0}, {256, 256, 320}}, 2);
+    Action action = recolour(document, 2, 3);
+    const Status made = makeParts(action, document);
+    ASSERT_FALSE(made);
+    EXPECT_EQ(made.error().message,
+              "The edit is too large: it would change 41943040 voxels; at most 33554432 voxels "
+              "change at once");
 }
 
 // Any edits in any order: the palette stays valid, no voxel changes, undo leads back.

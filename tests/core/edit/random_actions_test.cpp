@@ -18,6 +18,7 @@
 #include "core/edit/symmetry.h"
 #include "core/edit/transforms.h"
 #include "core/model/entity_voxels.h"
+#include "core/model/voxel_morphology.h"
 #include "core/svo/bake.h"
 #include "core/svo/live_octree.h"
 #include "tests/support/random.h"
@@ -175,8 +176,9 @@ class Artist {
                 const glm::ivec3 normal = direction();
                 const VoxelSet face =
                     faceRegion(voxels, exposed(voxels, normal), normal, rule).value();
-                return action("face", patchFace(document, model_, face, normal,
-                                                random_.between(-3, 3), {}, limits));
+                const MovedFace moved{face, normal};
+                return action("face", patchFaces(document, model_, {&moved, 1},
+                                                 random_.between(-3, 3), {}, limits));
             }
             case 9:
             case 10: {  // moved, turned, flipped, scaled
@@ -198,13 +200,14 @@ class Artist {
             }
             case 12: {
                 const VoxelSet only = selectBox(voxels, smallBox(20));
-                return action("recolour", patchRecolour(document, model_, colour(), colour(),
-                                                        {kCanvas, &only}));
+                return action("recolour",
+                              patchSet(document, model_, voxelsOfColour(voxels, colour()),
+                                       EditMode::paint, colour(), {kCanvas, &only}));
             }
             case 13: {
-                const VoxelSet only = selectIf(voxels, [&](glm::ivec3 v) {
-                    return v.x + v.y > 14;  // what a rectangle on a turned view might hold
-                });
+                // What a rectangle on a turned view might hold.
+                const HalfSpace corner{{1.0, 1.0, 0.0}, 15.5};
+                const VoxelSet only = selectInside(voxels, {&corner, 1});
                 return action("delete", patchSet(document, model_,
                                                  combined(only, shape(), SelectMode::intersect),
                                                  EditMode::erase, 0));
@@ -212,21 +215,30 @@ class Artist {
             case 14:
                 switch (random_.between(0, 3)) {
                     case 0:
-                        return action("hollow", patchHollow(document, model_, 2, limits));
+                        return reshaped("hollow", document, hollowed(voxels, 2), limits);
                     case 1:
-                        return action("dilate", patchDilate(document, model_, 1, limits));
+                        return reshaped("dilate", document, dilated(voxels, 1), limits);
                     case 2:
-                        return action("erode", patchErode(document, model_, 1, limits));
+                        return reshaped("erode", document, eroded(voxels, 1), limits);
                     default:
-                        return action("smooth", patchSmooth(document, model_, 1, limits));
+                        return reshaped("smooth", document, smoothed(voxels, 1), limits);
                 }
             default:
                 if (random_.chance(0.02)) {
                     return action("crop", patchCrop(document, model_, VoxelSet(smallBox(18))));
                 }
-                return action("ground",
-                              patchTranslate(document, model_, offsetToGround(voxels.bounds())));
+                VoxelClip whole{voxels, {}};
+                moveBy(whole, offsetToGround(voxels.bounds()));
+                return action("ground", patchMove(document, model_, selectAll(voxels), whole));
         }
+    }
+
+    Action reshaped(const char* label, const Document& document, Result<VoxelGrid> after,
+                    const EditLimits& limits) {
+        const VoxelSet all = selectAll(document.voxelsOf(model_));
+        const VoxelClip clip{std::move(after.value()), {}};
+        return makeAction(label,
+                          patchMove(document, model_, all, clip, PasteRule::under, limits).value());
     }
 
     Action otherAction(const Workspace& workspace, int kind) {

@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/edit/selection.h"
 #include "core/edit/shapes.h"
-#include "core/model/voxel_morphology.h"
 #include "tests/support/positions.h"
 #include "tests/support/random.h"
 #include "tests/support/voxels.h"
@@ -33,31 +31,6 @@ void expectAscending(const VoxelPatch& patch) {
     };
     for (std::size_t i = 1; i < patch.changes.size(); ++i) {
         ASSERT_TRUE(isBefore(patch.changes[i - 1], patch.changes[i]));
-    }
-}
-
-TEST(Reshape, ReplacesWhatDiffersWithinLimits) {
-    Random random(91);
-    for (int round = 0; round < 30; ++round) {
-        VoxelGrid before = test::randomVoxels(random.next(), {20, 20, 20}, 0.3, 5);
-        VoxelGrid after = test::randomVoxels(random.next(), {20, 20, 20}, 0.3, 5);
-        if (round % 3 == 0) before.fill(IBox::around(random.voxel(-20, 20), {9, 9, 9}), 3);
-        if (round % 3 == 1) after.fill(IBox::around(random.voxel(-20, 20), {9, 9, 9}), 3);
-        const Document document = test::documentOf(before);
-        const VoxelSet only(IBox::around(random.voxel(-5, 25), random.voxel(-5, 25)));
-        EditLimits limits;
-        if (round % 2 == 0) limits.only = &only;
-        if (round % 5 == 0) limits.box = IBox{{2, 3, 4}, {15, 99, 12}};
-        VoxelMap expected;
-        after.forEachSolid([&](glm::ivec3 v, std::uint8_t value) {
-            if (limits.allow(v)) expected[{v.x, v.y, v.z}] = value;
-        });
-        before.forEachSolid([&](glm::ivec3 v, std::uint8_t value) {
-            if (!limits.allow(v)) expected[{v.x, v.y, v.z}] = value;
-        });
-        const VoxelPatch patch = patchReplace(document, 0, after, limits).value();
-        expectAscending(patch);
-        ASSERT_EQ(mapOf(afterPatch(document, patch)), expected);
     }
 }
 
@@ -105,62 +78,23 @@ TEST(Reshape, HugeEditsAreRefused) {
     EXPECT_EQ(patchSet(document, 0, everything, EditMode::paint, 9).value().changes.size(), 8u);
 }
 
-TEST(Reshape, RecoloursAndCrops) {
+TEST(Reshape, CropsToWhatIsKept) {
     const Document document = test::documentOf(test::randomVoxels(3, {12, 12, 12}, 0.5, 4));
-    const VoxelGrid& before = document.models[0].voxels;
     const IBox half{{0, 0, 0}, {6, 12, 12}};
-    VoxelMap recoloured;
-    VoxelMap deleted;
     VoxelMap cropped;
-    before.forEachSolid([&](glm::ivec3 v, std::uint8_t value) {
-        const std::tuple<int, int, int> at{v.x, v.y, v.z};
-        recoloured[at] = value == 2 && half.contains(v) ? 9 : value;
-        if (value != 2) deleted[at] = value;
-        if (half.contains(v)) cropped[at] = value;
+    document.models[0].voxels.forEachSolid([&](glm::ivec3 v, std::uint8_t value) {
+        if (half.contains(v)) cropped[{v.x, v.y, v.z}] = value;
     });
-    const auto after = [&](const Result<VoxelPatch>& patch) {
-        return mapOf(afterPatch(document, patch.value()));
-    };
-    EXPECT_EQ(after(patchRecolour(document, 0, 2, 9, {half, nullptr})), recoloured);
-    EXPECT_EQ(after(patchRecolour(document, 0, 2, 0)), deleted);
-    EXPECT_EQ(after(patchCrop(document, 0, VoxelSet(half))), cropped);
-}
-
-TEST(Reshape, MorphologyAsPatches) {
-    const Document document = test::documentOf(test::figure());
-    const VoxelGrid& before = document.models[0].voxels;
-    const auto after = [&](const Result<VoxelPatch>& patch) {
-        return afterPatch(document, patch.value());
-    };
-    EXPECT_EQ(after(patchHollow(document, 0, 1)), hollowed(before, 1).value());
-    EXPECT_EQ(after(patchDilate(document, 0, 2)), dilated(before, 2).value());
-    EXPECT_EQ(after(patchErode(document, 0, 1)), eroded(before, 1).value());
-    EXPECT_EQ(after(patchSmooth(document, 0, 1)), smoothed(before, 1).value());
-    EXPECT_EQ(patchHollow(document, 0, 0).error().message,
-              "wall is 0; it must be between 1 and 64");
-    // Only the selection grows.
-    const VoxelSet left(IBox{{-9, -9, -9}, {8, 99, 99}});
-    const VoxelPatch patch = patchDilate(document, 0, 1, {{}, &left}).value();
-    EXPECT_FALSE(patch.changes.empty());
-    for (const VoxelChange& change : patch.changes) EXPECT_LT(change.position.x, 8);
+    const VoxelPatch patch = patchCrop(document, 0, VoxelSet(half)).value();
+    EXPECT_EQ(mapOf(afterPatch(document, patch)), cropped);
 }
 
 TEST(Reshape, MovesToTheMiddleAndToTheGround) {
-    VoxelGrid voxels;
-    voxels.fill({{5, -3, 7}, {10, 1, 9}}, 3);  // 5 x 4 x 2
-    voxels.set({5, -3, 7}, 4);
-    const Document document = test::documentOf(voxels);
-    const auto boundsAfter = [&](glm::ivec3 by) {
-        return afterPatch(document, patchTranslate(document, 0, by).value()).bounds();
-    };
-    EXPECT_EQ(boundsAfter(offsetToCentre(voxels.bounds())), (IBox{{-2, -2, 7}, {3, 2, 9}}));
-    EXPECT_EQ(boundsAfter(offsetToGround(voxels.bounds())), (IBox{{5, -3, 0}, {10, 1, 2}}));
-    EXPECT_EQ(afterPatch(document, patchTranslate(document, 0, {1, 0, 0}).value()).get({6, -3, 7}),
-              4);
+    const IBox bounds{{5, -3, 7}, {10, 1, 9}};  // 5 x 4 x 2
+    EXPECT_EQ(bounds.min + offsetToCentre(bounds), glm::ivec3(-2, -2, 7));
+    EXPECT_EQ(bounds.min + offsetToGround(bounds), glm::ivec3(5, -3, 0));
     EXPECT_EQ(offsetToCentre(IBox{}), glm::ivec3(0));
     EXPECT_EQ(offsetToGround(IBox{}), glm::ivec3(0));
-    EXPECT_FALSE(patchTranslate(document, 0, {kMaxCoordinate, 0, 0}));
-    EXPECT_FALSE(patchTranslate(document, 0, {2'000'000'000, 0, 0}));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "core/edit/frame_edits.h"
 #include "core/edit/socket_edits.h"
+#include "core/edit/transforms.h"
 #include "core/model/entity_voxels.h"
 #include "tests/support/edits.h"
 #include "tests/support/random.h"
@@ -240,6 +241,17 @@ TEST(SceneEdits, WhatLaysInAHiddenGroupStaysHidden) {
     EXPECT_TRUE(node(flat, "mirrored letter").locked);
 }
 
+TEST(SceneEdits, WhatLaysInAGroupOfAHiddenLayerStaysHidden) {
+    Document before = test::busyDocument();
+    before.nodes[1].layer = 1;
+    const auto other = static_cast<std::size_t>(nodeNamed(before, "mirrored letter"));
+    before.nodes[other].layer = 0;
+    const Document flat = after(before, ungroup(before, 1));
+    EXPECT_EQ(framesOf(flat), framesOf(before));
+    EXPECT_TRUE(node(flat, "mirrored letter").hidden);
+    EXPECT_FALSE(node(flat, "inner").hidden) << "it shows when the layer does";
+}
+
 TEST(SceneEdits, MergedObjectsShowWhatTheyShowedInEveryFrame) {
     Document before = test::busyDocument();
     for (SceneNode& each : before.nodes) each.hidden = false;
@@ -257,6 +269,14 @@ TEST(SceneEdits, MergedObjectsShowWhatTheyShowedInEveryFrame) {
     const Document within = after(before, mergeNodes(before, pair, "one"));
     EXPECT_EQ(framesOf(within), framesOf(before));
     EXPECT_EQ(within.nodes.back().parent, nodeNamed(within, "left"));
+
+    // Under a root that lies elsewhere, and one that moves.
+    before.nodes[0].placements.front().placement = {quarterTurns(2, 1), {100, -7, 3}};
+    const Document shifted = after(before, mergeNodes(before, all, "one"));
+    EXPECT_EQ(framesOf(shifted), framesOf(before));
+    before.nodes[0].placements.push_back({2, {{}, {1, 2, 3}}});
+    const Document moving = after(before, mergeNodes(before, all, "one"));
+    EXPECT_EQ(framesOf(moving), framesOf(before));
 }
 
 TEST(SceneEdits, DeletingTheOnlyAnimatedObjectCutsTheClips) {
@@ -387,6 +407,34 @@ TEST(SceneEdits, NamesLocksAndClipsAreNothingToDrawAgain) {
         const Changed changed = history.execute(workspace, action);
         EXPECT_TRUE(changed.scene) << action.label;
         EXPECT_TRUE(history.undo(workspace).scene) << action.label;
+    }
+}
+
+// By their names, which every edit here leaves alone.
+TEST(SceneEdits, SayWhichIndexEachNodeHasAfterwards) {
+    const Document start = test::busyDocument();
+    std::vector<Action> actions{deleteNodes(start, std::array{1}),
+                                mergeNodes(start, std::array{2, 3}, "one"),
+                                addObject(start, "new")};
+    for (int i = 1; i < static_cast<int>(start.nodes.size()); ++i) {
+        if (start.nodes[static_cast<std::size_t>(i)].isGroup())
+            actions.push_back(ungroup(start, i));
+    }
+    for (const Action& action : actions) {
+        Workspace workspace{start, {}};
+        History history;
+        const Changed changed = history.execute(workspace, action);
+        const std::vector<SceneNode> then = workspace.document.nodes;
+        const Changed back = history.undo(workspace);
+        for (int i = 0; i < static_cast<int>(start.nodes.size()); ++i) {
+            const int now = changed.nodeNow(i);
+            const std::string& name = start.nodes[static_cast<std::size_t>(i)].name;
+            const auto found = std::ranges::find(then, name, &SceneNode::name);
+            const auto index = static_cast<int>(found - then.begin());
+            ASSERT_EQ(now, found == then.end() ? -1 : index) << action.label << ": " << name;
+            if (now < 0) continue;
+            EXPECT_EQ(back.nodeNow(now), i) << action.label << ": " << name;
+        }
     }
 }
 

@@ -176,11 +176,5 @@ TEST(Shapes, LimitsAreErrors) {
     EXPECT_FALSE(lineVoxels({}, {0, 0, 0}, {2000, 0, 0}));
 }
 
-TEST(Shapes, BoxesFromCorners) {
-    EXPECT_EQ(regularBox({1, 1, 1}, {4, 0, 2}), IBox::around({1, 1, 1}, {4, -2, 4}));
-    EXPECT_EQ(regularBox({1, 1, 1}, {4, 0, 9}, 2), IBox::around({1, 1, 1}, {4, -2, 9}));
-    EXPECT_EQ(centredBox({5, 5, 5}, {7, 4, 5}), (IBox{{3, 4, 5}, {8, 7, 6}}));
-}
-
 }  // namespace
 }  // namespace voxprite
