@@ -27,7 +27,8 @@ enum class BlockBinding : std::uint32_t {
     snapshotDraw = 10
 };
 
-// binding = N of each buffer
+// binding = N of each buffer: below 8, which is what OpenGL promises. Some are shared by buffers
+// that no program reads together.
 enum class BufferBinding : std::uint32_t {
     sprites = 0,
     spriteCorners = 1,
@@ -36,9 +37,9 @@ enum class BufferBinding : std::uint32_t {
     clusterCuts = 4,
     clusterCommands = 5,
     snapshots = 6,
-    rays = 7,
-    rayHits = 8,
-    castTiles = 9
+    castTiles = 1,
+    rays = 3,
+    rayHits = 4
 };
 
 // binding = N of each texture

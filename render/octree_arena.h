@@ -36,7 +36,6 @@ class OctreeArena {
         int rows;
         bool wanted;  // by this frame
     };
-    [[nodiscard]] const Resident* find(std::uint64_t revision) const;
     bool add(const GpuOctree& octree);
     [[nodiscard]] bool grow(int rows);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <string>
 
 #include "render/cluster_renderer.h"
 #include "render/gl/draw_state.h"
@@ -20,6 +21,16 @@ constexpr std::size_t kMostSprites = std::size_t{1} << 17;
 
 std::uint64_t pixelCount(const LatticeView& lattice) {
     return static_cast<std::uint64_t>(lattice.size.x) * static_cast<std::uint64_t>(lattice.size.y);
+}
+
+// Finished sprites know their voxels by ids, which must tell all of a model apart.
+Status checkIds(glm::ivec3 modelSize) {
+    const double cells = static_cast<double>(modelSize.x) * modelSize.y * modelSize.z;
+    if (cells + kIdFirstVoxel <= 0x1p32) return {};
+    return fail("a model of " + std::to_string(modelSize.x) + " x " + std::to_string(modelSize.y) +
+                " x " + std::to_string(modelSize.z) +
+                " cells: sprite buffers have a depth for each pixel of up to 2^32 cells; draw in "
+                "a single pass");
 }
 
 // Sprites that one draw call puts onto the screen, in the order of the scene.
@@ -139,6 +150,9 @@ Result<std::optional<AtlasPlace>> SceneRenderer::Impl::placeOf(Pass& pass,
     }
     if (const Status fits = SpriteCaster::checkSize(lattice.size); !fits) {
         return tl::unexpected(fits.error());
+    }
+    if (const Status known = checkIds(sprite.entity.octree->size()); pass.deep() && !known) {
+        return tl::unexpected(known.error());
     }
     const Result<int> row = litRowOf(pass, sprite);
     if (!row) return tl::unexpected(row.error());
@@ -289,11 +303,13 @@ Status SceneRenderer::Impl::gather(Pass& pass) {
     if (pass.mode == SpriteMode::spriteBuffer) atlas.keepIds(pass.deep());
     octrees.arrange(look.octrees());
     for (const SeenSprite* sprite : look.seen()) {
+        // Before one more comes: a frame that fills it to the last is held whole.
+        if (batch.sprites.size() == kMostSprites) {
+            if (const Status drawn = flush(pass); !drawn) return drawn;
+        }
         const Status added = pass.mode == SpriteMode::spriteBuffer ? addFinished(pass, *sprite)
                                                                    : addToCast(pass, *sprite);
         if (!added) return added;
-        if (batch.sprites.size() < kMostSprites) continue;
-        if (const Status drawn = flush(pass); !drawn) return drawn;
     }
     return {};
 }

@@ -77,10 +77,12 @@ struct SceneStats {
 };
 
 // Where finished sprites are kept: pages of one texture array, added as they are needed. A sprite
-// larger than a page has a texture of its own.
+// larger than a page has a texture of its own, which there is always room for; several of them
+// share largeBytes.
 struct AtlasLimits {
     int pageEdgePx = 1024;
     int pages = 32;  // at 8 bytes a pixel: 256 MiB
+    std::uint64_t largeBytes = 256U << 20U;
 };
 
 class SceneRenderer {

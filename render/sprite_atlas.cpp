@@ -49,8 +49,8 @@ SpriteSheet::SpriteSheet(glm::ivec3 pagesSize, bool withIds)
     }
 }
 
-std::uint64_t SpriteSheet::bytes() const {
-    return (ids ? 2 : 1) * kBytesPerTexel * static_cast<std::uint64_t>(size.x) *
+std::uint64_t SpriteSheet::bytesOf(glm::ivec3 size, bool withIds) {
+    return (withIds ? 2 : 1) * kBytesPerTexel * static_cast<std::uint64_t>(size.x) *
            static_cast<std::uint64_t>(size.y) * static_cast<std::uint64_t>(size.z);
 }
 
@@ -110,7 +110,7 @@ std::optional<AtlasPlace> SpriteAtlas::add(const SpriteKey& key, glm::ivec2 size
     return placeOf(entry->second);
 }
 
-AtlasPlace SpriteAtlas::addLarge(const SpriteKey& key, glm::ivec2 size) {
+std::optional<AtlasPlace> SpriteAtlas::addLarge(const SpriteKey& key, glm::ivec2 size) {
     Entry entry{glm::ivec3(0), size, nullptr, batch_, frame_};
     // One that a sprite has left will do.
     const auto spare = std::ranges::find_if(large_, [&](const auto& item) {
@@ -121,7 +121,12 @@ AtlasPlace SpriteAtlas::addLarge(const SpriteKey& key, glm::ivec2 size) {
         entry.own = std::move(spare->second.own);
         large_.erase(spare);
     } else {
-        entry.own = std::make_unique<SpriteSheet>(glm::ivec3(roomySize(size), 1), ids_);
+        const glm::ivec3 sheet(roomySize(size), 1);
+        while (!large_.empty() &&
+               largeBytes() + SpriteSheet::bytesOf(sheet, ids_) > limits_.largeBytes) {
+            if (!evictLarge()) return std::nullopt;
+        }
+        entry.own = std::make_unique<SpriteSheet>(sheet, ids_);
     }
     return placeOf(large_.emplace(key, std::move(entry)).first->second);
 }
@@ -169,6 +174,15 @@ bool SpriteAtlas::evictHalf() {
     return !idle.empty();
 }
 
+// Of the large sprites that this batch does not show, the one that was shown longest ago.
+bool SpriteAtlas::evictLarge() {
+    const auto lastBatch = [](const auto& item) { return item.second.lastBatch; };
+    const auto oldest = std::ranges::min_element(large_, {}, lastBatch);
+    if (oldest == large_.end() || oldest->second.lastBatch == batch_) return false;
+    large_.erase(oldest);
+    return true;
+}
+
 void SpriteAtlas::forget(const SpriteKey& key) {
     large_.erase(key);
     const auto found = entries_.find(key);
@@ -184,10 +198,14 @@ void SpriteAtlas::endFrame() {
     ++frame_;
 }
 
-std::uint64_t SpriteAtlas::bytes() const {
-    std::uint64_t sum = pages_.bytes();
+std::uint64_t SpriteAtlas::largeBytes() const {
+    std::uint64_t sum = 0;
     for (const auto& [key, entry] : large_) sum += entry.own->bytes();
     return sum;
+}
+
+std::uint64_t SpriteAtlas::bytes() const {
+    return pages_.bytes() + largeBytes();
 }
 
 }  // namespace voxprite

@@ -24,7 +24,8 @@ struct SpriteSheet {
 
     SpriteSheet() = default;
     SpriteSheet(glm::ivec3 size, bool withIds);
-    [[nodiscard]] std::uint64_t bytes() const;
+    [[nodiscard]] static std::uint64_t bytesOf(glm::ivec3 size, bool withIds);
+    [[nodiscard]] std::uint64_t bytes() const { return bytesOf(size, static_cast<bool>(ids)); }
 };
 
 // Where a finished sprite lies. Stays until the atlas is told that its batch has been drawn.
@@ -65,10 +66,12 @@ class SpriteAtlas {
     using Entries = std::unordered_map<SpriteKey, Entry>;
 
     [[nodiscard]] AtlasPlace placeOf(const Entry& entry) const;
-    [[nodiscard]] AtlasPlace addLarge(const SpriteKey& key, glm::ivec2 size);
+    [[nodiscard]] std::optional<AtlasPlace> addLarge(const SpriteKey& key, glm::ivec2 size);
     [[nodiscard]] bool addPages();
     [[nodiscard]] bool evictOld();
     [[nodiscard]] bool evictHalf();
+    [[nodiscard]] bool evictLarge();
+    [[nodiscard]] std::uint64_t largeBytes() const;
 
     AtlasLimits limits_;
     bool ids_ = false;

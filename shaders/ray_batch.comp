@@ -20,8 +20,8 @@ struct BatchHit {
     uint material_and_axis;  // material | axis << 8; 0: nothing is hit
 };
 
-layout(std430, binding = 7) readonly buffer BatchRays { BatchRay rays[]; };
-layout(std430, binding = 8) writeonly buffer BatchHits { BatchHit hits[]; };
+layout(std430, binding = 3) readonly buffer BatchRays { BatchRay rays[]; };
+layout(std430, binding = 4) writeonly buffer BatchHits { BatchHit hits[]; };
 
 void main() {
     uint k = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * 64u;

@@ -13,11 +13,18 @@ layout(location = 0) out uint colour;
 
 layout(binding = 3) uniform usampler2DArray sprite_ids;
 
+// Of models of up to 2^32 cells: ids of larger ones are no more unique.
+ivec3 voxelOf(uint id) {
+    uint index = id - 2u;
+    uint row = index / svo_model_size.x;
+    return ivec3(index % svo_model_size.x, row % svo_model_size.y, row / svo_model_size.y);
+}
+
 // Nothing but a voxel has a depth of its own.
 float voxelDepth(ivec2 cell) {
     if (any(lessThan(cell, ivec2(0))) || any(greaterThanEqual(cell, region_size))) return 0.0;
     uint id = texelFetch(sprite_ids, atlas_place + ivec3(cell, 0), 0).r;
-    return id > kIdOutline ? pixelDepth(cell, id) : 0.0;
+    return id > kIdOutline ? pixelDepth(cell, voxelOf(id)) : 0.0;
 }
 
 // An outline pixel stands where its nearest neighbour does.

@@ -13,7 +13,7 @@ struct CastTile {
     int unused;
 };
 
-layout(std430, binding = 9) readonly buffer CastTiles { CastTile tiles[]; };
+layout(std430, binding = 1) readonly buffer CastTiles { CastTile tiles[]; };
 
 layout(binding = 1) uniform usampler2D palette_texture;  // lit; column = material, row = face
 

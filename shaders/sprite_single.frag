@@ -42,7 +42,7 @@ void main() {
         }
 #ifdef PER_PIXEL_DEPTH
         // An outline pixel stands where its nearest neighbour does.
-        gl_FragDepth = max(gl_FragDepth, pixelDepth(neighbour, voxelId(hit)));
+        gl_FragDepth = max(gl_FragDepth, pixelDepth(neighbour, hit.voxel));
         if (id == kIdOutline) continue;
 #endif
         break;

@@ -12,6 +12,9 @@ namespace voxprite::gl {
 
 namespace {
 
+// An editor takes no messages, and a driver may say the same in every frame.
+constexpr std::size_t kMostMessages = 100;
+
 struct MessageLog {
     std::mutex mutex;
     std::vector<std::string> severe;
@@ -28,6 +31,7 @@ void GLAD_API_PTR onDebugMessage(GLenum, GLenum type, GLuint, GLenum severity, G
     if (severity != GL_DEBUG_SEVERITY_HIGH && type != GL_DEBUG_TYPE_ERROR) return;
     MessageLog& log = messageLog();
     const std::lock_guard lock(log.mutex);
+    if (log.severe.size() >= kMostMessages) return;
     if (length < 0) {
         log.severe.emplace_back(message);
     } else {

@@ -10,7 +10,8 @@
 
 namespace voxprite::gl {
 
-// What the driver said through KHR_debug with high severity since the last call; tests fail on any.
+// What the driver said through KHR_debug with high severity since the last call, the first hundred;
+// tests fail on any.
 [[nodiscard]] std::vector<std::string> takeSevereMessages();
 
 struct DriverInfo {

@@ -8,11 +8,7 @@
 // The vertex stage emits the nearest depth of the sprite; a fragment only moves away from it.
 layout(depth_less) out float gl_FragDepth;
 
-float pixelDepth(ivec2 cell, uint id) {
-    uint index = id - 2u;
-    uint row = index / svo_model_size.x;
-    ivec3 voxel =
-        ivec3(index % svo_model_size.x, row % svo_model_size.y, row / svo_model_size.y);
+float pixelDepth(ivec2 cell, ivec3 voxel) {
     // From the centre corner, in lattice steps.
     precise vec3 origin =
         vec3(latticePoint(lattice_origin, lattice_right, lattice_up, cell + region_first));

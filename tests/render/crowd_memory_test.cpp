@@ -196,6 +196,7 @@ TEST_F(CrowdMemory, AHistoryThatWasTakenAwayIsBegunAnew) {
             followed = followed || *history.snappedSteps != steps;
         }
     }
+    EXPECT_TRUE(followed);
 }
 
 TEST_F(CrowdMemory, AFrameThatFailsLeavesNothingBehind) {
@@ -238,6 +239,28 @@ TEST_F(CrowdMemory, EvictionWhileMovingChangesNothing) {
                           8ULL * limits.pages * limits.pageEdgePx * limits.pageEdgePx);
             }
         }
+    }
+}
+
+// Of sprites that are larger than a page there is room for few; and always for one.
+TEST_F(CrowdMemory, LargeSpritesKeepToTheirRoom) {
+    GameProfile profile = plainProfile();
+    profile.viewStepDegrees = 0.0;
+    constexpr std::uint64_t kPage = 8ULL * 16 * 16;
+    for (const std::uint64_t room : {std::uint64_t{1}, std::uint64_t{300'000}}) {
+        renderer_.emplace(must(SceneRenderer::create({16, 1, room})));
+        const Scene scene = colourful(24, profile);
+        std::uint64_t most = 0;
+        for (int step = 0; step < 3; ++step) {
+            const Camera view = camera(3.0 * step, 21.0, 9.0 - 0.2 * step);
+            const Picture picture = draw(scene, view, profile);
+            const Picture single = draw(scene, view, profile, SpriteMode::singlePass);
+            EXPECT_EQ(mismatches(picture.colour, single.colour), 0U) << step;
+            most = std::max(most, picture.stats.atlasBytes);
+        }
+        EXPECT_GT(most, kPage);
+        // One is up to 192 pixels wide and high.
+        EXPECT_LE(most, kPage + std::max<std::uint64_t>(room, 8ULL * 192 * 192));
     }
 }
 
@@ -308,8 +331,14 @@ TEST_F(CrowdMemory, AHundredThousandAreOneDraw) {
     EXPECT_EQ(still.stats.castsReused, 100'000U);
     EXPECT_EQ(still.stats.rays, 0U);
     EXPECT_EQ(mismatches(still.colour, first.colour), 0U);
-    // More than go to the GPU at a time; they stand where others stand already.
-    add(40'000);
+    // As many as go to the GPU at a time; they stand where others stand already.
+    add(31'072);
+    EXPECT_EQ(draw(scene, view, profile).stats.drawCalls, 1);
+    const Picture full = draw(scene, view, profile);
+    EXPECT_EQ(full.stats.drawCalls, 1);
+    EXPECT_EQ(mismatches(full.colour, first.colour), 0U);
+    // And more.
+    add(8'928);
     const Picture more = draw(scene, view, profile);
     EXPECT_EQ(more.stats.drawCalls, 2);
     EXPECT_EQ(more.stats.drawn, 140'000);

@@ -2,6 +2,8 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <regex>
+#include <set>
 
 #include "render/frame.h"
 #include "render/gl/program.h"
@@ -37,6 +39,30 @@ TEST_F(GlBasics, MisuseIsReportedAsSevere) {
     EXPECT_EQ(gl::takeSevereMessages().size(), 1U);
     EXPECT_TRUE(gl::takeSevereMessages().empty());
     EXPECT_NE(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+TEST_F(GlBasics, WhatNobodyTakesDoesNotPileUp) {
+    for (int k = 0; k < 150; ++k) glBindTexture(GL_TEXTURE_2D, 987'654);
+    EXPECT_EQ(gl::takeSevereMessages().size(), 100U);
+    EXPECT_NE(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+// OpenGL 4.5 promises eight places for buffers; and a shader's own must not share one.
+TEST_F(GlBasics, BuffersLieWhereEveryDriverHasPlaces) {
+    const std::regex buffer(R"(std430,\s*binding\s*=\s*(\d+))");
+    int found = 0;
+    for (const auto& [name, source] : embeddedShaders()) {
+        if (name.starts_with("shared/")) continue;
+        const std::string text = must(gl::assembleShader(name)).text;
+        std::set<int> places;
+        for (std::sregex_iterator match(text.begin(), text.end(), buffer), end; match != end;
+             ++match, ++found) {
+            const int place = std::stoi((*match)[1]);
+            EXPECT_LT(place, 8) << name;
+            EXPECT_TRUE(places.insert(place).second) << name << ": " << place;
+        }
+    }
+    EXPECT_GE(found, 10);
 }
 
 TEST_F(GlBasics, AContextMayFollowAnother) {

@@ -147,5 +147,51 @@ TEST_F(SceneModes, PerPixelDepthIsThatOfTheVoxelsFace) {
     }
 }
 
+// Beyond 2^32 cells ids are no more unique: a single pass needs none, sprite buffers say so.
+TEST_F(SceneModes, PerPixelDepthOfAModelOfMoreCellsThanIdsTellApart) {
+    constexpr glm::ivec3 kSize(1700, 1700, 1500);
+    VoxelGrid voxels;
+    voxels.set({0, 0, 0}, 1);
+    voxels.set(kSize - 1, 1);
+    for (int y = 700; y < 1000; ++y) {
+        for (int x = 700; x < 1000; ++x) voxels.set({x, y, kSize.z - 1}, 2);
+    }
+    const test::GpuModel model(voxels);
+    GameProfile profile = plainProfile();
+    profile.sigma = 1.0;
+    profile.depth = DepthRule::perPixel;
+    profile.outline.enabled = false;
+    Scene scene;
+    scene.background = kBackground;
+    scene.entities = {entity(model, {0.0, 0.0, 0.0}, profile)};
+    const PlacedEntity& placed = scene.entities[0].placed;
+    const Camera view = orbitCamera({20, 50, 0}, placed.centreMetres(), 400.0, 45.0, kViewport);
+    const SpriteView sprite = *must(viewSprite(placed, view, profile)).view;
+    const Picture picture = draw(scene, view, profile, SpriteMode::singlePass);
+    int checked = 0;
+    for (int y = 0; y < kViewport.y; ++y) {
+        for (int x = 0; x < kViewport.x; ++x) {
+            if (picture.colour.at(x, y) == kBackground) continue;
+            const auto pixel = pixelUnder(sprite, view, glm::dvec2(x, y) + 0.5);
+            ASSERT_TRUE(pixel);
+            SpriteBuffer one;
+            one.first = *pixel;
+            one.size = {1, 1};
+            one.ids = {kIdFirstVoxel};
+            const float metres = pixelDepths(sprite, model.octree.view(), one, 1).front();
+            const float expected = view.reversedDepth(metres);
+            const float seen = picture.depth[static_cast<std::size_t>(y * kViewport.x + x)];
+            EXPECT_NEAR(seen, expected, 1e-5f * expected);
+            ++checked;
+        }
+    }
+    EXPECT_GT(checked, 200);
+    Frame frame(view.viewportPx);
+    const auto refused = renderer_->draw(frame, scene, view, profile, SpriteMode::spriteBuffer);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("1700 x 1700 x 1500"), std::string::npos)
+        << refused.error().message;
+}
+
 }  // namespace
 }  // namespace voxprite
