@@ -82,7 +82,18 @@ Result<Plane> flipErrors(const Image& a, const Image& b, double pixelsPerDegree)
     return flipMap(overBackground(a), overBackground(b), pixelsPerDegree);
 }
 
+const PerceivedPicture& ComparedPicture::perceived() const {
+    if (!perceived_) perceived_ = perceive(overBackground(*image_), pixelsPerDegree_);
+    return *perceived_;
+}
+
 Result<ImageComparison> compareImages(const Image& a, const Image& b, double pixelsPerDegree) {
+    return compareImages(ComparedPicture(a, pixelsPerDegree), ComparedPicture(b, pixelsPerDegree));
+}
+
+Result<ImageComparison> compareImages(const ComparedPicture& pictureA,
+                                      const ComparedPicture& pictureB) {
+    const Image &a = pictureA.image(), &b = pictureB.image();
     if (const Status can = comparable(a, b); !can) return Failure(can.error());
     ImageComparison result;
     result.pixels = a.pixels.size();
@@ -112,12 +123,10 @@ Result<ImageComparison> compareImages(const Image& a, const Image& b, double pix
     if (result.mismatched == 0) return result;
 
     result.psnr = 10.0 * std::log10(255.0 * 255.0 / (errorSum / (4.0 * pixels)));
-    const Image shownA = overBackground(a);
-    const Image shownB = overBackground(b);
-    const Plane flip = flipMap(shownA, shownB, pixelsPerDegree);
+    const Plane flip = flipMap(pictureA.perceived(), pictureB.perceived());
     result.flipMean = std::accumulate(flip.values.begin(), flip.values.end(), 0.0) / pixels;
     result.flipInside = meanWhereEither(flip, inA, inB);
-    result.ssim = meanSsim(lumaOf(shownA), lumaOf(shownB));
+    result.ssim = meanSsim(lumaOf(overBackground(a)), lumaOf(overBackground(b)));
     return result;
 }
 

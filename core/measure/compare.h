@@ -31,6 +31,25 @@ struct ImageComparison {
     double ssim = 1.0;           // see core/measure/ssim.h; of the luma
 };
 
+// A picture that is compared with many: what FLIP makes of it alone is worked out once, when it is
+// first needed. The picture itself is the caller's and outlives this. Of one thread at a time.
+class ComparedPicture {
+  public:
+    explicit ComparedPicture(const Image& image, double pixelsPerDegree = kFlipPixelsPerDegree)
+        : image_(&image), pixelsPerDegree_(pixelsPerDegree) {}
+    [[nodiscard]] const Image& image() const { return *image_; }
+    // Over the comparison's background.
+    [[nodiscard]] const PerceivedPicture& perceived() const;
+
+  private:
+    const Image* image_;
+    double pixelsPerDegree_;
+    mutable std::optional<PerceivedPicture> perceived_;
+};
+
+// Fails when the sizes differ or a picture is empty. Both are of the same pixels a degree.
+[[nodiscard]] Result<ImageComparison> compareImages(const ComparedPicture& a,
+                                                    const ComparedPicture& b);
 // Fails when the sizes differ or a picture is empty. FLIP's view is that of a display with so many
 // pixels a degree.
 [[nodiscard]] Result<ImageComparison> compareImages(const Image& a, const Image& b,

@@ -158,7 +158,7 @@ std::vector<double> normaliseSigns(std::vector<double> weights) {
 }
 
 struct Features {
-    Plane edges, points;  // magnitudes
+    Plane edges, points;
 };
 
 Features featuresOf(const Plane& luminance, double pixelsPerDegree) {
@@ -193,17 +193,22 @@ Plane normalisedLuminance(Plane y) {
 
 }  // namespace
 
+PerceivedPicture perceive(const Image& image, double pixelsPerDegree) {
+    Opponent planes = opponentPlanes(image);
+    std::vector<glm::dvec3> colours = perceivedColours(planes, pixelsPerDegree);
+    Features features = featuresOf(normalisedLuminance(std::move(planes[0])), pixelsPerDegree);
+    return {std::move(colours), std::move(features.edges), std::move(features.points)};
+}
+
 Plane flipMap(const Image& reference, const Image& test, double pixelsPerDegree) {
-    const Opponent planesA = opponentPlanes(reference);
-    const Opponent planesB = opponentPlanes(test);
-    const std::vector<glm::dvec3> coloursA = perceivedColours(planesA, pixelsPerDegree);
-    const std::vector<glm::dvec3> coloursB = perceivedColours(planesB, pixelsPerDegree);
-    const Features a = featuresOf(normalisedLuminance(planesA[0]), pixelsPerDegree);
-    const Features b = featuresOf(normalisedLuminance(planesB[0]), pixelsPerDegree);
-    Plane map(reference.width, reference.height);
+    return flipMap(perceive(reference, pixelsPerDegree), perceive(test, pixelsPerDegree));
+}
+
+Plane flipMap(const PerceivedPicture& a, const PerceivedPicture& b) {
+    Plane map(a.edges.width, a.edges.height);
     parallelFor(static_cast<int>(map.values.size()), 0, [&](int first, int last) {
         for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
-            const double colour = redistribute(hyab(coloursA[k], coloursB[k]));
+            const double colour = redistribute(hyab(a.colours[k], b.colours[k]));
             const double feature =
                 std::sqrt(std::max(std::abs(a.edges.values[k] - b.edges.values[k]),
                                    std::abs(a.points.values[k] - b.points.values[k])) /

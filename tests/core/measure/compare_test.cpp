@@ -151,6 +151,20 @@ TEST(CompareImages, BlackAgainstTransparentIsBlackAgainstGrey) {
     EXPECT_GT(seen->flipMean, 0.3);
 }
 
+// A picture that is looked at once and compared twice gives the same figures.
+TEST(CompareImages, KeptPicturesCompareAsTheyDoAlone) {
+    const Image a = noise(40, 30, 1), b = noise(40, 30, 2), c = noise(40, 30, 3);
+    const ComparedPicture kept(a, 30.0);
+    for (const Image* other : {&b, &c, &a}) {
+        const auto one = compareImages(kept, ComparedPicture(*other, 30.0));
+        const auto alone = compareImages(a, *other, 30.0);
+        ASSERT_TRUE(one && alone);
+        EXPECT_EQ(one->flipMean, alone->flipMean);
+        EXPECT_EQ(one->flipInside, alone->flipInside);
+        EXPECT_EQ(one->ssim, alone->ssim);
+    }
+}
+
 TEST(CompareImages, RefusesWhatCannotBeCompared) {
     const auto sizes = compareImages(Image(4, 5), Image(5, 4));
     ASSERT_FALSE(sizes);
