@@ -96,7 +96,13 @@ void App::drop(const std::vector<std::filesystem::path>& files) {
 void App::performEdits() {
     for (Action& action : edits_.take()) {
         // One long step at a time: the others come after it, but for those of the same drag.
-        if (files_.blocks() || (files_.drags() && action.mergeKey == 0)) {
+        const bool waits = files_.blocks() || files_.comesAfterDrag(action);
+        // What is in the air belongs to where its object lies now.
+        const bool settles = std::ranges::any_of(action.parts, [](const ActionPart& part) {
+            return std::holds_alternative<SceneEdit>(part);
+        });
+        if (!waits && settles) keepToolsWork();
+        if (waits || files_.blocks()) {
             edits_.push(std::move(action));
         } else {
             context_.perform(std::move(action));
@@ -227,7 +233,8 @@ Status App::keepCopiesIn(const std::filesystem::path& recovery) {
 void App::recover(const LostWork& work) {
     const Result<GameProfile> profile = readProfileFile(work.profile);
     const Status recovered =
-        profile ? session_.recover(work.document, *profile, work.file) : Failure(profile.error());
+        profile ? session_.recover(work.document, *profile, work.file, work.profileFile)
+                : Failure(profile.error());
     if (!recovered) return dialogs_.showError(recovered.error().describe());
     startOver();
     // The copy goes only when this editor has one of its own.
@@ -250,6 +257,8 @@ void App::startOver() {
     voxels_.tools().cancel(session_);
     sprite_.forget();
     study_.forget();
+    objects_ = {};
+    playback_ = {};
     framed_ = false;
     figures_.editMilliseconds.reset();
     clock_.forget();

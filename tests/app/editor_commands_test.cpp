@@ -26,6 +26,19 @@ TEST(EditorCommands, EachStandsOnceAndCanBeRun) {
     }
 }
 
+// What floats, or is being made, is of an object and a frame: it comes down before these change.
+TEST(EditorCommands, WhatChangesObjectsAndFramesSettlesFirst) {
+    for (const Command& command : commands()) {
+        if (command.menu != MenuId::object) continue;
+        EXPECT_EQ(command.settles, command.id != CommandId::renameObject) << command.name;
+    }
+    using enum CommandId;
+    for (const CommandId id : {togglePlaying, previousFrame, nextFrame, addFrame, addHeldFrame,
+                               addEmptyFrame, deleteFrame}) {
+        EXPECT_TRUE(commandOf(id).settles) << commandOf(id).name;
+    }
+}
+
 TEST(EditorCommands, DefaultKeysMeanOneThingEach) {
     for (const Command& command : commands()) {
         EXPECT_EQ(conflictText(command, {}), "") << command.name;

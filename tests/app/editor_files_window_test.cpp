@@ -3,6 +3,7 @@
 
 #include "core/base/file.h"
 #include "core/io/formats.h"
+#include "core/io/profile_json.h"
 #include "core/io/svo_set.h"
 #include "tests/app/editor_window.h"
 #include "tests/support/must.h"
@@ -73,6 +74,76 @@ TEST_F(FilesInAWindow, EachModelIsExportedAsASpriteOfItsOwn) {
     const GameProfile profile;
     const std::vector<SetMember> members = modelsOneByOne(document, profile, "model");
     ASSERT_GT(members.size(), 1u);
+    EXPECT_EQ(bytesOf("set.svo"), must(exportSvoSet(members)));
+}
+
+// The document's file holds little of the game profile: that is asked about, and saved, by itself.
+TEST_F(FilesInAWindow, TheGameProfileIsAskedAboutAtTheEnd) {
+    const auto awaitDialog = [&](const std::string& dialog) {
+        await(dialog, [&](const Json& now) { return now.at("state").at("dialog") == dialog; });
+    };
+    ASSERT_NO_FATAL_FAILURE(open(documentOf(figure())));
+    click(centreOf("inspector.mode.1"));
+    ASSERT_NO_FATAL_FAILURE(
+        await("the step", [](const Json& now) { return now.at("state").at("unsaved"); }));
+    key("ctrl+s");
+    ASSERT_NO_FATAL_FAILURE(awaitToast("Saved model"));
+
+    // Not with New, which keeps it.
+    key("ctrl+n");
+    ASSERT_NO_FATAL_FAILURE(await(
+        "another document", [](const Json& now) { return now.at("state").at("voxels") == 0; }));
+    key("ctrl+q");
+    ASSERT_NO_FATAL_FAILURE(awaitDialog("unsaved"));
+    click(centreOf("unsaved.save"));
+    ASSERT_NO_FATAL_FAILURE(awaitDialog("browser"));
+    // Not to be saved after all is not to end, nor to end by the next save.
+    key("Escape");
+    ASSERT_NO_FATAL_FAILURE(awaitDialog(""));
+    key("ctrl+s");
+    ASSERT_NO_FATAL_FAILURE(awaitDialog("browser"));
+    name(file("new.voxprite").string());
+    click(centreOf("browser.accept"));
+    ASSERT_NO_FATAL_FAILURE(awaitToast("Saved new"));
+
+    key("ctrl+q");
+    ASSERT_NO_FATAL_FAILURE(awaitDialog("unsaved"));
+    click(centreOf("unsaved.save"));
+    ASSERT_NO_FATAL_FAILURE(awaitDialog("browser"));
+    name(file("game.json").string());
+    click(centreOf("browser.accept"));
+    EXPECT_EQ(editor().wait(), 0) << said();
+    EXPECT_EQ(must(readProfileFile(file("game.json"))).mode, SpriteMode::singlePass);
+}
+
+// Another folder: the way that was chosen stays, and the folder above is the one above.
+TEST_F(FilesInAWindow, TheWayStaysInAnotherFolder) {
+    const Document document = busyDocument();
+    ASSERT_NO_FATAL_FAILURE(open(document));
+    std::filesystem::create_directories(file("above/below/lowest"));
+    std::ofstream(file("above/next.svo")) << "not really";
+    std::filesystem::create_symlink("nowhere.svo", file("above/below/dangling.svo"));
+    key("ctrl+e");
+    await("the browser", [](const Json& now) { return now.at("items").contains("browser.ways"); });
+    click(centreOf("browser.ways"));
+    click(centreOf("browser.way.1"));
+    name(file("above/below/lowest").string() + "/");
+    key("Return");
+    await("an empty folder", [](const Json& now) {
+        return !now.at("items").contains("browser.entry.above") &&
+               !now.at("items").contains("browser.entry.dangling.svo");
+    });
+    click(centreOf("browser.up"));
+    static_cast<void>(centreOf("browser.entry.lowest"));
+    name("..");
+    key("Return");
+    static_cast<void>(centreOf("browser.entry.next.svo"));
+    click(centreOf("browser.up"));
+    static_cast<void>(centreOf("browser.entry.above"));
+    name("set.svo");
+    click(centreOf("browser.accept"));
+    awaitToast("Exported and verified");
+    const std::vector<SetMember> members = modelsOneByOne(document, GameProfile{}, "model");
     EXPECT_EQ(bytesOf("set.svo"), must(exportSvoSet(members)));
 }
 

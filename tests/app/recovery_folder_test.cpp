@@ -25,6 +25,7 @@ WorkCopy someWork() {
     copy.file = "/somewhere/h\xFCt.voxprite";  // file names are bytes
     copy.title = "h\xFCt";
     copy.edits = 41;
+    copy.profileFile = "/somewhere/g\xE4me.json";
     return copy;
 }
 
@@ -46,6 +47,7 @@ TEST(RecoveryFolder, WhatACrashLeavesComesBack) {
     EXPECT_EQ(must(loadDocument(lost[0].document)).document.models, copy.document.models);
     EXPECT_EQ(must(readProfileFile(lost[0].profile)), copy.profile);
     EXPECT_EQ(lost[0].file, copy.file);
+    EXPECT_EQ(lost[0].profileFile, copy.profileFile);
     EXPECT_EQ(lost[0].title, copy.title);
     EXPECT_EQ(lost[0].edits, copy.edits);
     const Image picture = must(readPngFile(lost[0].picture));
@@ -63,6 +65,12 @@ TEST(RecoveryFolder, HoldsOneCopyAndNoneOnceAllIsSaved) {
     ASSERT_TRUE(folder.write(copy));
     const std::size_t once = filesIn(inside);
     copy.edits = 42;
+    ASSERT_TRUE(folder.write(copy));
+    EXPECT_EQ(filesIn(inside), once);
+    // The picture cannot be written over this: the copy before stays, and goes with the next.
+    fs::create_directory(inside / "3.png");
+    ASSERT_FALSE(folder.write(copy));
+    EXPECT_EQ(filesIn(inside), once);
     ASSERT_TRUE(folder.write(copy));
     EXPECT_EQ(filesIn(inside), once);
     ASSERT_TRUE(folder.clear());

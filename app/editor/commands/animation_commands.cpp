@@ -34,8 +34,7 @@ void insertFrame(CommandContext& c, NewFrame what) {
     const int frame = c.session.frame() + 1;
     c.settings.view.playing = false;
     c.settings.window.showsTimeline = true;
-    c.perform(std::move(*action));
-    c.report(c.session.setFrame(frame));
+    c.perform(std::move(*action), [&c, frame] { c.report(c.session.setFrame(frame)); });
 }
 
 }  // namespace
@@ -50,6 +49,7 @@ std::span<const Command> animationCommands() {
             .name = "Play",
             .icon = icon::kPlay,
             .chords = {control(GLFW_KEY_SPACE)},
+            .settles = true,
             .run = [](CommandContext& c) { c.settings.view.playing = !c.settings.view.playing; },
             .enabled = animated,
             .on = [](const CommandContext& c) { return c.settings.view.playing; }},
@@ -60,6 +60,7 @@ std::span<const Command> animationCommands() {
                 .icon = icon::kStepBack,
                 .chords = {control(GLFW_KEY_PAGE_UP)},
                 .repeats = true,
+                .settles = true,
                 .run = [](CommandContext& c) { step(c, -1); },
                 .enabled = animated},
         Command{.id = nextFrame,
@@ -69,6 +70,7 @@ std::span<const Command> animationCommands() {
                 .icon = icon::kStepForward,
                 .chords = {control(GLFW_KEY_PAGE_DOWN)},
                 .repeats = true,
+                .settles = true,
                 .run = [](CommandContext& c) { step(c, 1); },
                 .enabled = animated},
         Command{.id = addFrame,
@@ -78,6 +80,7 @@ std::span<const Command> animationCommands() {
                 .icon = icon::kPlus,
                 .chords = {key(GLFW_KEY_INSERT)},
                 .separator = true,
+                .settles = true,
                 .run = [](CommandContext& c) { insertFrame(c, NewFrame::copy); },
                 .enabled = hasObject},
         Command{.id = addHeldFrame,
@@ -85,6 +88,7 @@ std::span<const Command> animationCommands() {
                 .menu = MenuId::animation,
                 .name = "Hold for another frame",
                 .icon = icon::kLink,
+                .settles = true,
                 .run = [](CommandContext& c) { insertFrame(c, NewFrame::held); },
                 .enabled = hasObject},
         Command{.id = addEmptyFrame,
@@ -92,6 +96,7 @@ std::span<const Command> animationCommands() {
                 .menu = MenuId::animation,
                 .name = "Add empty frame",
                 .icon = icon::kFile,
+                .settles = true,
                 .run = [](CommandContext& c) { insertFrame(c, NewFrame::empty); },
                 .enabled = hasObject},
         Command{.id = deleteFrame,
@@ -99,6 +104,7 @@ std::span<const Command> animationCommands() {
                 .menu = MenuId::animation,
                 .name = "Delete frame",
                 .icon = icon::kDelete,
+                .settles = true,
                 .run =
                     [](CommandContext& c) {
                         Result<Action> action =
@@ -117,8 +123,8 @@ std::span<const Command> animationCommands() {
                     [](CommandContext& c) {
                         const auto clips = static_cast<int>(c.session.document().clips.size());
                         c.perform(
-                            voxprite::addClip(c.session.document(), 0, c.session.frames() - 1));
-                        c.playback.chooseClip(clips);
+                            voxprite::addClip(c.session.document(), 0, c.session.frames() - 1),
+                            [&c, clips] { c.playback.chooseClip(clips); });
                     },
                 .enabled = animated},
         Command{

@@ -11,15 +11,23 @@ void CommandContext::report(const Status& status) const {
     if (!status) toasts.error(status.error().describe());
 }
 
-void CommandContext::perform(Action action) {
-    if (!session.isLong(action)) return report(session.perform(std::move(action)));
+void CommandContext::perform(Action action, const std::function<void()>& afterwards) {
+    if (!session.isLong(action)) {
+        const Status performed = session.perform(std::move(action));
+        if (!performed) return report(performed);
+        if (afterwards) afterwards();
+        return;
+    }
     // The steps of a drag follow each other from frame to frame.
     if (action.mergeKey != 0) return files.drag(std::move(action));
     std::string title = action.label;
     const auto shared = std::make_shared<Action>(std::move(action));
-    files.step(std::move(title), [shared](const Session& s, const Progress& progress) {
-        return s.prepare(std::move(*shared), progress);
-    });
+    files.step(
+        std::move(title),
+        [shared](const Session& s, const Progress& progress) {
+            return s.prepare(std::move(*shared), progress);
+        },
+        afterwards);
 }
 
 bool CommandContext::settle() {

@@ -2,6 +2,7 @@
 // global; App owns it for as long as it lives.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "app/editor/session/session.h"
@@ -34,8 +35,9 @@ struct CommandContext {
     PaletteEditor& palette;
     TradeStudy& study;
 
-    // At once, or behind the window when the step is long (FileFlow::step).
-    void perform(Action action);
+    // At once, or behind the window when the step is long (FileFlow::step). `afterwards` once it is
+    // in force; never, when it fails or is stopped.
+    void perform(Action action, const std::function<void()>& afterwards = {});
     void undo();
     void redo();
     // What is in the air, or being made, comes down, as before every other edit. False while that

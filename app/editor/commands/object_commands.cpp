@@ -30,16 +30,15 @@ bool hasGroup(const CommandContext& c) {
 
 // The node that an edit has put last becomes the chosen one.
 void performAndChooseLast(CommandContext& c, Action action) {
-    c.perform(std::move(action));
-    c.objects.choose(c.session, static_cast<int>(c.session.document().nodes.size()) - 1);
+    c.perform(std::move(action), [&c] {
+        c.objects.choose(c.session, static_cast<int>(c.session.document().nodes.size()) - 1);
+    });
 }
 
 void duplicate(CommandContext& c, Copy copy) {
     const auto first = static_cast<int>(c.session.document().nodes.size());
-    c.perform(duplicateNode(c.session.document(), c.objects.node(c.session), copy));
-    if (first < static_cast<int>(c.session.document().nodes.size())) {
-        c.objects.choose(c.session, first);
-    }
+    c.perform(duplicateNode(c.session.document(), c.objects.node(c.session), copy),
+              [&c, first] { c.objects.choose(c.session, first); });
 }
 
 std::string nameFor(const CommandContext& c, const char* stem) {
@@ -66,6 +65,7 @@ std::span<const Command> objectCommands() {
                 .menu = MenuId::object,
                 .name = "Add object",
                 .icon = icon::kPlus,
+                .settles = true,
                 .run =
                     [](CommandContext& c) {
                         performAndChooseLast(
@@ -77,6 +77,7 @@ std::span<const Command> objectCommands() {
                 .name = "Duplicate object",
                 .icon = icon::kCopy,
                 .chords = {controlShift(GLFW_KEY_D)},
+                .settles = true,
                 .run = [](CommandContext& c) { duplicate(c, Copy::own); },
                 .enabled = hasChosen},
         Command{.id = duplicateLinked,
@@ -84,6 +85,7 @@ std::span<const Command> objectCommands() {
                 .menu = MenuId::object,
                 .name = "Duplicate linked",
                 .icon = icon::kLink,
+                .settles = true,
                 .run = [](CommandContext& c) { duplicate(c, Copy::linked); },
                 .enabled = hasChosen},
         Command{.id = makeSingleUser,
@@ -91,6 +93,7 @@ std::span<const Command> objectCommands() {
                 .menu = MenuId::object,
                 .name = "Make single user",
                 .icon = icon::kUnlink,
+                .settles = true,
                 .run =
                     [](CommandContext& c) {
                         c.perform(voxprite::makeSingleUser(c.session.document(),
@@ -120,6 +123,7 @@ std::span<const Command> objectCommands() {
                 .icon = icon::kGroup,
                 .chords = {control(GLFW_KEY_G)},
                 .separator = true,
+                .settles = true,
                 .run =
                     [](CommandContext& c) {
                         const std::vector<int> nodes = c.objects.nodes(c.session);
@@ -133,6 +137,7 @@ std::span<const Command> objectCommands() {
                 .name = "Ungroup",
                 .icon = icon::kUngroup,
                 .chords = {controlShift(GLFW_KEY_G)},
+                .settles = true,
                 .run =
                     [](CommandContext& c) {
                         c.perform(ungroup(c.session.document(), c.objects.node(c.session)));
@@ -144,6 +149,7 @@ std::span<const Command> objectCommands() {
                 .name = "Merge",
                 .icon = icon::kMerge,
                 .chords = {control(GLFW_KEY_M)},
+                .settles = true,
                 .run =
                     [](CommandContext& c) {
                         const std::vector<int> nodes = c.objects.nodes(c.session);
@@ -156,6 +162,7 @@ std::span<const Command> objectCommands() {
                 .menu = MenuId::object,
                 .name = "Delete object",
                 .icon = icon::kDelete,
+                .settles = true,
                 .run =
                     [](CommandContext& c) {
                         c.perform(deleteNodes(c.session.document(), c.objects.nodes(c.session)));
@@ -168,6 +175,7 @@ std::span<const Command> objectCommands() {
                 .icon = icon::kHidden,
                 .chords = {control(GLFW_KEY_H)},
                 .separator = true,
+                .settles = true,
                 .run =
                     [](CommandContext& c) {
                         c.perform(setHidden(c.session.document(), c.objects.node(c.session),
@@ -180,6 +188,7 @@ std::span<const Command> objectCommands() {
                 .menu = MenuId::object,
                 .name = "Locked",
                 .icon = icon::kLocked,
+                .settles = true,
                 .run =
                     [](CommandContext& c) {
                         c.perform(setLocked(c.session.document(), c.objects.node(c.session),
@@ -193,6 +202,7 @@ std::span<const Command> objectCommands() {
                 .name = "Turn object about X",
                 .icon = icon::kTurn,
                 .separator = true,
+                .settles = true,
                 .run = turn<0>,
                 .enabled = hasChosen},
         Command{.id = turnObjectY,
@@ -200,6 +210,7 @@ std::span<const Command> objectCommands() {
                 .menu = MenuId::object,
                 .name = "Turn object about Y",
                 .icon = icon::kTurn,
+                .settles = true,
                 .run = turn<1>,
                 .enabled = hasChosen},
         Command{.id = turnObjectZ,
@@ -207,6 +218,7 @@ std::span<const Command> objectCommands() {
                 .menu = MenuId::object,
                 .name = "Turn object about Z",
                 .icon = icon::kTurn,
+                .settles = true,
                 .run = turn<2>,
                 .enabled = hasChosen},
         Command{.id = mirrorObjectX,
@@ -214,6 +226,7 @@ std::span<const Command> objectCommands() {
                 .menu = MenuId::object,
                 .name = "Mirror object in X",
                 .icon = icon::kMirrorX,
+                .settles = true,
                 .run = mirror<0>,
                 .enabled = hasChosen},
         Command{.id = mirrorObjectY,
@@ -221,6 +234,7 @@ std::span<const Command> objectCommands() {
                 .menu = MenuId::object,
                 .name = "Mirror object in Y",
                 .icon = icon::kMirrorX,
+                .settles = true,
                 .run = mirror<1>,
                 .enabled = hasChosen},
         Command{.id = mirrorObjectZ,
@@ -228,6 +242,7 @@ std::span<const Command> objectCommands() {
                 .menu = MenuId::object,
                 .name = "Mirror object in Z",
                 .icon = icon::kMirrorZ,
+                .settles = true,
                 .run = mirror<2>,
                 .enabled = hasChosen},
     };

@@ -2,6 +2,7 @@
 #include <GLFW/glfw3.h>
 
 #include <cmath>
+#include <functional>
 
 #include "app/editor/commands/command_context.h"
 #include "app/editor/commands/tables.h"
@@ -15,8 +16,9 @@
 namespace voxprite::editor {
 namespace {
 
+// One that shows: what lies in another frame is not what a command means.
 bool hasSelection(const CommandContext& c) {
-    return !c.session.selection().empty();
+    return selectionShows(c.session);
 }
 bool hasFloating(const CommandContext& c) {
     return c.session.selection().floating().has_value();
@@ -28,9 +30,10 @@ bool movesSomething(const CommandContext& c) {
     return hasFloating(c) || hasSelection(c) || c.settings.tool.tool == ToolKind::move;
 }
 
-void makeNow(CommandContext& c, Result<Action> action) {
+void makeNow(CommandContext& c, Result<Action> action,
+             const std::function<void()>& afterwards = {}) {
     if (!action) return c.report(Failure(action.error()));
-    c.perform(std::move(*action));
+    c.perform(std::move(*action), afterwards);
 }
 
 void takeMoveTool(CommandContext& c) {
@@ -220,16 +223,18 @@ std::span<const Command> selectionCommands() {
                 .settles = true,
                 .run = [](CommandContext& c) { c.report(selectEverything(c.session)); },
                 .enabled = hasAnything},
-        Command{
-            .id = selectNone,
-            .tag = "select_none",
-            .menu = MenuId::select,
-            .name = "None",
-            .icon = icon::kSelectNone,
-            .chords = {controlShift(GLFW_KEY_A)},
-            .settles = true,
-            .run = [](CommandContext& c) { c.session.selection().clear(); },
-            .enabled = [](const CommandContext& c) { return hasSelection(c) || hasFloating(c); }},
+        Command{.id = selectNone,
+                .tag = "select_none",
+                .menu = MenuId::select,
+                .name = "None",
+                .icon = icon::kSelectNone,
+                .chords = {controlShift(GLFW_KEY_A)},
+                .settles = true,
+                .run = [](CommandContext& c) { c.session.selection().clear(); },
+                .enabled =
+                    [](const CommandContext& c) {
+                        return !c.session.selection().empty() || hasFloating(c);
+                    }},
         Command{.id = invertSelected,
                 .tag = "invert_selection",
                 .menu = MenuId::select,
@@ -375,11 +380,9 @@ std::span<const Command> selectionCommands() {
                 .settles = true,
                 .run =
                     [](CommandContext& c) {
-                        const std::size_t nodes = c.session.document().nodes.size();
-                        makeNow(c, selectionToObject(c.session));
-                        if (c.session.document().nodes.size() > nodes) {
-                            c.objects.choose(c.session, static_cast<int>(nodes));
-                        }
+                        const auto node = static_cast<int>(c.session.document().nodes.size());
+                        makeNow(c, selectionToObject(c.session),
+                                [&c, node] { c.objects.choose(c.session, node); });
                     },
                 .enabled = hasSelection},
         reshapeCommand<Floating::Kind::hollow>(

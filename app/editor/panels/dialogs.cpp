@@ -5,7 +5,7 @@
 
 namespace voxprite::editor {
 std::string Dialogs::openName() const {
-    if (unsaved_) return "unsaved";
+    if (!unsaved_.empty()) return "unsaved";
     if (!changed_.empty()) return "changed";
     if (!error_.empty()) return "error";
     return about_.empty() ? "" : "about";
@@ -15,7 +15,7 @@ Answers Dialogs::draw(Ui& ui) {
     Answers answers;
     if (!error_.empty()) {
         drawError(ui);
-    } else if (unsaved_) {
+    } else if (!unsaved_.empty()) {
         answers.unsaved = drawUnsaved(ui);
     } else if (!changed_.empty()) {
         answers.changed = drawChanged(ui);
@@ -27,7 +27,7 @@ Answers Dialogs::draw(Ui& ui) {
 
 UnsavedAnswer Dialogs::drawUnsaved(Ui& ui) {
     if (!beginDialog(ui, "##unsaved", "Save the changes?", 420)) return UnsavedAnswer::none;
-    const std::string text = "\"" + ui.session.title() + "\" has changes that are in no file yet.";
+    const std::string text = unsaved_ + " has changes that are in no file yet.";
     ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.textDim);
     ImGui::TextWrapped("%s", text.c_str());
     ImGui::PopStyleColor();
@@ -47,7 +47,7 @@ UnsavedAnswer Dialogs::drawUnsaved(Ui& ui) {
     }
     ui.probe.markItem("unsaved.save");
     if (answer != UnsavedAnswer::none) {
-        unsaved_ = false;
+        unsaved_.clear();
         ImGui::CloseCurrentPopup();
     }
     endDialog();

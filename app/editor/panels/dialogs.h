@@ -27,7 +27,8 @@ struct AboutLine {
 
 class Dialogs {
   public:
-    void askUnsaved() { unsaved_ = true; }
+    // Of what there is no file yet: "hut", in quotes, or the game profile.
+    void askUnsaved(std::string what) { unsaved_ = std::move(what); }
     // The file that is to be saved, by its name.
     void askChanged(std::string file) { changed_ = std::move(file); }
     void showError(std::string text) { error_ = std::move(text); }
@@ -42,7 +43,7 @@ class Dialogs {
     void drawError(Ui& ui);
     void drawAbout(Ui& ui);
 
-    bool unsaved_ = false;
+    std::string unsaved_;
     std::string changed_;
     std::string error_;
     std::vector<AboutLine> about_;

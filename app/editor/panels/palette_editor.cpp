@@ -132,7 +132,10 @@ Action PaletteEditor::removeUnused() const {
 }
 
 Action PaletteEditor::recolourToHand(std::uint8_t from) const {
-    return recolour(session_.document(), from, inHand());
+    Action action = recolour(session_.document(), from, inHand());
+    // Few are found here and now; many go beyond what a step holds, or take long.
+    if (counts()[from] <= kLongStepVoxels && !makeParts(action, session_.document())) return {};
+    return action;
 }
 
 Action PaletteEditor::addVariant(const std::string& name) const {

@@ -16,8 +16,9 @@ Autosave::State Autosave::stateOf(const Session& session) {
 
 WorkCopy Autosave::copyOf(const Session& session) {
     const auto begin = std::chrono::steady_clock::now();
-    WorkCopy copy{session.document(), session.profile(), session.path(), session.title(),
-                  session.history().position()};
+    WorkCopy copy{
+        session.document(),           session.profile(),    session.path(), session.title(),
+        session.history().position(), session.profilePath()};
     copyMilliseconds_ =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     return copy;

@@ -46,6 +46,13 @@ CopyFiles filesOf(const fs::path& folder, std::uint64_t number) {
     return {folder / (n + ".voxprite"), folder / (n + ".profile.json"), folder / (n + ".png")};
 }
 
+void removeCopy(const CopyFiles& files) {
+    std::error_code ignored;
+    for (const fs::path& old : {files.document, files.profile, files.picture}) {
+        fs::remove(old, ignored);
+    }
+}
+
 Status writePicture(const fs::path& path, const WorkCopy& copy) {
     const VoxelGrid voxels = flatten(copy.document, 0);
     const Result<Octree> octree = bake(voxels);
@@ -67,6 +74,9 @@ std::optional<LostWork> readNote(const fs::path& folder) {
         LostWork work{folder, files.document, files.profile, files.picture, {}, {}, 0, 0};
         if (note.contains("file")) {
             work.file = bytesFromJsonText(note.at("file").get<std::string>());
+        }
+        if (note.contains("profile_file")) {
+            work.profileFile = bytesFromJsonText(note.at("profile_file").get<std::string>());
         }
         work.title = bytesFromJsonText(note.at("title").get<std::string>());
         work.edits = note.at("edits").get<std::uint64_t>();
@@ -118,34 +128,32 @@ RecoveryFolder& RecoveryFolder::operator=(RecoveryFolder&& other) noexcept {
 }
 
 Status RecoveryFolder::write(const WorkCopy& copy) {
-    const CopyFiles before = filesOf(folder_, number_);
-    const CopyFiles files = filesOf(folder_, ++number_);
+    const Status written = writeAs(number_ + 1, copy);
+    // What stays behind goes with the folder.
+    removeCopy(filesOf(folder_, written ? number_ : number_ + 1));
+    if (written) ++number_;
+    return written;
+}
+
+Status RecoveryFolder::writeAs(std::uint64_t number, const WorkCopy& copy) const {
+    const CopyFiles files = filesOf(folder_, number);
     if (Status done = saveDocument(files.document, copy.document, copy.profile); !done) return done;
     if (Status done = writeProfileFile(files.profile, copy.profile); !done) return done;
     if (Status done = writePicture(files.picture, copy); !done) return done;
-    nlohmann::json note{{"number", number_},
+    nlohmann::json note{{"number", number},
                         {"title", jsonTextFromBytes(copy.title)},
                         {"edits", copy.edits},
                         {"unix_seconds", unixSecondsNow()}};
     if (copy.file) note["file"] = jsonTextFromBytes(copy.file->string());
-    if (Status done = writeFileAtomically(folder_ / "note.json", note.dump(2) + "\n"); !done) {
-        return done;
-    }
-    std::error_code ignored;  // what stays behind goes with the folder
-    for (const fs::path& old : {before.document, before.profile, before.picture}) {
-        fs::remove(old, ignored);
-    }
-    return {};
+    if (copy.profileFile) note["profile_file"] = jsonTextFromBytes(copy.profileFile->string());
+    return writeFileAtomically(folder_ / "note.json", note.dump(2) + "\n");
 }
 
 Status RecoveryFolder::clear() {
     std::error_code error;
     fs::remove(folder_ / "note.json", error);  // first: without it there is no copy
     if (error) return failInFile(folder_.string(), error.message());
-    const CopyFiles files = filesOf(folder_, number_);
-    for (const fs::path& old : {files.document, files.profile, files.picture}) {
-        fs::remove(old, error);
-    }
+    removeCopy(filesOf(folder_, number_));
     return {};
 }
 

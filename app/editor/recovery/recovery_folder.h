@@ -33,7 +33,8 @@ struct WorkCopy {
     GameProfile profile;
     std::optional<std::filesystem::path> file;  // of the document, if it has one
     std::string title;
-    std::uint64_t edits = 0;  // since it was saved or opened, about
+    std::uint64_t edits = 0;                                // since it was saved or opened, about
+    std::optional<std::filesystem::path> profileFile = {};  // of the game profile, if it has one
 };
 
 // The folder of one running editor. Its lock goes with the object, its files stay.
@@ -44,7 +45,7 @@ class RecoveryFolder {
     RecoveryFolder(RecoveryFolder&& other) noexcept;
     RecoveryFolder& operator=(RecoveryFolder&& other) noexcept;
 
-    // In place of the copy before it. One thread at a time.
+    // In place of the copy before it, which stays when this fails. One thread at a time.
     [[nodiscard]] Status write(const WorkCopy& copy);
     // All is saved: nothing is left to recover.
     [[nodiscard]] Status clear();
@@ -52,12 +53,14 @@ class RecoveryFolder {
     void remove();
 
   private:
+    [[nodiscard]] Status writeAs(std::uint64_t number, const WorkCopy& copy) const;
+
     RecoveryFolder(std::filesystem::path folder, int lock)
         : folder_(std::move(folder)), lock_(lock) {}
 
     std::filesystem::path folder_;
     int lock_ = -1;
-    std::uint64_t number_ = 0;
+    std::uint64_t number_ = 0;  // of the copy that the note names
 };
 
 // A copy that an editor left behind which no longer runs.
@@ -68,6 +71,7 @@ struct LostWork {
     std::string title;
     std::uint64_t edits = 0;
     std::int64_t unixSeconds = 0;  // when the copy was made
+    std::optional<std::filesystem::path> profileFile = {};
 };
 
 // Newest first. Folders without a whole copy are no work; their remains are removed.

@@ -60,7 +60,7 @@ void FileFlow::openProfile() {
 void FileFlow::saveProfile() {
     const auto& path = context_.session.profilePath();
     if (!path) return saveProfileAs();
-    context_.report(context_.session.saveProfile(*path));
+    if (tell(context_.session.saveProfile(*path), "Saved " + path->filename().string())) goOn();
 }
 
 void FileFlow::saveProfileAs() {
@@ -71,7 +71,9 @@ void FileFlow::saveProfileAs() {
             .extensions = kProfileExtensions,
             .name = path ? path->filename().string() : "game-profile.json"},
            [this](CommandContext& c, const std::filesystem::path& chosen) {
-               tell(c.session.saveProfile(chosen), "Saved " + chosen.filename().string());
+               if (tell(c.session.saveProfile(chosen), "Saved " + chosen.filename().string())) {
+                   goOn();
+               }
            });
 }
 
@@ -126,14 +128,20 @@ void FileFlow::finishWork() {
     }
 }
 
-void FileFlow::step(std::string title, const Prepare& prepare) {
+void FileFlow::step(std::string title, const Prepare& prepare,
+                    const std::function<void()>& afterwards) {
     const Session& session = context_.session;
-    const auto working = [this, &session, prepare](JobProgress& progress) -> BackgroundJob::Done {
+    const auto working = [this, &session, prepare,
+                          afterwards](JobProgress& progress) -> BackgroundJob::Done {
         const std::stop_token stop = progress.stopToken();
         const auto prepared = std::make_shared<Result<std::shared_ptr<Session::Prepared>>>(
             prepare(session, progress.as("The document stays as it is until this is done")));
-        return [this, prepared, stop] {
-            if (*prepared) return context_.session.commit(std::move(***prepared));
+        return [this, prepared, stop, afterwards] {
+            if (*prepared) {
+                context_.session.commit(std::move(***prepared));
+                if (afterwards) afterwards();
+                return;
+            }
             context_.session.dropPrepared();
             if (stop.stop_requested()) {
                 context_.toasts.info("Cancelled: " + step_.title());
@@ -205,19 +213,29 @@ void FileFlow::unlessUnsaved(Waiting what) {
         return context_.toasts.info(first.title() + " first");
     }
     waiting_ = what;
-    if (context_.session.unsaved()) {
-        context_.dialogs.askUnsaved();
-    } else {
-        goOn();
-    }
+    if (!context_.session.unsaved()) return unlessProfileUnsaved();
+    asksForProfile_ = false;
+    context_.dialogs.askUnsaved("\"" + context_.session.title() + "\"");
+}
+
+void FileFlow::unlessProfileUnsaved() {
+    const Session& session = context_.session;
+    // It stays the same for the next document.
+    if (waiting_ != Waiting::quit || !session.profileHasUnsavedOfItsOwn()) return goOn();
+    asksForProfile_ = true;
+    const auto& path = session.profilePath();
+    context_.dialogs.askUnsaved("The game profile " +
+                                (path ? "\"" + path->filename().string() + "\""
+                                      : std::string("(light, outline and the like)")));
 }
 
 void FileFlow::afterUnsavedQuestion(UnsavedAnswer answer) {
     switch (answer) {
         case UnsavedAnswer::save:
-            return save();  // goes on once it has been saved
+            // Goes on once it has been saved.
+            return asksForProfile_ ? saveProfile() : save();
         case UnsavedAnswer::discard:
-            return goOn();
+            return asksForProfile_ ? goOn() : unlessProfileUnsaved();
         case UnsavedAnswer::cancel:
         case UnsavedAnswer::none:
             waiting_ = Waiting::none;
@@ -351,7 +369,7 @@ void FileFlow::saveTo(const std::filesystem::path& path) {
         context_.settings.remember(path);
         // A .vox file is an export: the document is as unsaved as it was.
         if (context_.session.unsaved()) waiting_ = Waiting::none;
-        goOn();
+        unlessProfileUnsaved();
     });
 }
 

@@ -48,11 +48,12 @@ class FileFlow {
     // For any other long work: one thing at a time, so it fails while another goes on.
     [[nodiscard]] Status work(std::string title, BackgroundJob::Work work);
 
-    // A step of the document that takes long: nothing else can be done until it is in force, or
-    // was stopped.
+    // A step of the document that takes long: nothing else can be done until it is in force, and
+    // `afterwards` done, or was stopped.
     using Prepare =
         std::function<Result<std::shared_ptr<Session::Prepared>>(const Session&, const Progress&)>;
-    void step(std::string title, const Prepare& prepare);
+    void step(std::string title, const Prepare& prepare,
+              const std::function<void()>& afterwards = {});
 
     // A step of a drag that takes long: of those that follow each other only the newest is made, as
     // soon as the one before it is in force. The hand goes on meanwhile.
@@ -65,6 +66,10 @@ class FileFlow {
     [[nodiscard]] bool isWorking() const { return job_.running() || step_.running() || drags(); }
     // Other edits, and commands, come after it.
     [[nodiscard]] bool drags() const { return dragged_.has_value(); }
+    // Does this edit? Those of the same drag do not.
+    [[nodiscard]] bool comesAfterDrag(const Action& action) const {
+        return drags() && dragged_->mergeKey != action.mergeKey;
+    }
     // Nothing else can be done: the document must stay as it is.
     [[nodiscard]] bool blocks() const { return (job_.running() && blocks_) || step_.running(); }
     // Scripts do one thing after another: waits until nothing goes on.
@@ -84,7 +89,9 @@ class FileFlow {
   private:
     // What waits for the answer about unsaved changes.
     enum class Waiting : std::uint8_t { none, startNew, openDialog, openFile, quit };
+    // Asks about the document; then, where the game profile would be lost, about that.
     void unlessUnsaved(Waiting what);
+    void unlessProfileUnsaved();
     void afterUnsavedQuestion(UnsavedAnswer answer);
     void afterChangedQuestion(ChangedAnswer answer);
     void goOn();
@@ -121,6 +128,7 @@ class FileFlow {
     // What a cancelled job leaves to put right.
     std::function<void()> afterCancel_;
     Waiting waiting_ = Waiting::none;
+    bool asksForProfile_ = false;       // the question about unsaved changes
     Waiting afterJob_ = Waiting::none;  // until the job has ended
     std::filesystem::path waitingFile_;
     std::optional<std::size_t> waitingEntity_;

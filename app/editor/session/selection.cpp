@@ -125,19 +125,26 @@ void VoxelSelection::land(std::optional<VoxelSet> landed) {
     setFloating(std::nullopt);
 }
 
-void VoxelSelection::stepMade(std::size_t position, bool asANewStep) {
+void VoxelSelection::followNodes(const Changed& changed) {
+    now_.node = changed.nodeNow(now_.node);
+    if (floating_) floating_->node = changed.nodeNow(floating_->node);
+}
+
+void VoxelSelection::stepMade(std::size_t position, bool asANewStep, const Changed& changed) {
     // Steps that were merged or forgotten would give positions other meanings.
     if (!asANewStep) before_.clear();
     before_.erase(before_.lower_bound(position), before_.end());
     if (asANewStep) before_[position] = now_;
+    followNodes(changed);
     if (next_) {
         now_ = *std::exchange(next_, std::nullopt);
         ++revision_;
     }
 }
 
-void VoxelSelection::wentTo(std::size_t from, std::size_t to) {
+void VoxelSelection::wentTo(std::size_t from, std::size_t to, const Changed& changed) {
     before_[from] = now_;
+    followNodes(changed);
     const auto then = before_.find(to);
     if (then == before_.end()) return;
     now_ = then->second;
@@ -145,14 +152,14 @@ void VoxelSelection::wentTo(std::size_t from, std::size_t to) {
 }
 
 void VoxelSelection::follow(const Document& document, const Changed& changed) {
-    if (floating_ && static_cast<std::size_t>(floating_->model) >= document.models.size()) {
-        setFloating(std::nullopt);
-    }
+    const auto isThere = [&](int node, int model) {
+        return node >= 0 && static_cast<std::size_t>(node) < document.nodes.size() &&
+               static_cast<std::size_t>(model) < document.models.size() &&
+               !document.nodes[static_cast<std::size_t>(node)].isGroup();
+    };
+    if (floating_ && !isThere(floating_->node, floating_->model)) setFloating(std::nullopt);
     if (empty()) return;
-    const bool isThere = static_cast<std::size_t>(now_.node) < document.nodes.size() &&
-                         static_cast<std::size_t>(now_.model) < document.models.size() &&
-                         !document.nodes[static_cast<std::size_t>(now_.node)].isGroup();
-    if (!isThere) return clear();
+    if (!isThere(now_.node, now_.model)) return clear();
     const auto isOurs = [&](const Changed::Voxels& edit) { return edit.model == now_.model; };
     if (!changed.scene && std::ranges::none_of(changed.voxels, isOurs)) return;
     const auto& grid = document.models[static_cast<std::size_t>(now_.model)].voxels;

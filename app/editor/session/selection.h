@@ -96,9 +96,9 @@ class VoxelSelection {
     void land(std::optional<VoxelSet> landed);
     void stayInTheAir() { lands_ = false; }
     // A step of the history was made at `position`; before the document is followed.
-    void stepMade(std::size_t position, bool asANewStep);
+    void stepMade(std::size_t position, bool asANewStep, const Changed& changed);
     // The history went from one position to another.
-    void wentTo(std::size_t from, std::size_t to);
+    void wentTo(std::size_t from, std::size_t to, const Changed& changed);
     // Drops what is no longer there.
     void follow(const Document& document, const Changed& changed);
     // Another document: nothing is selected.
@@ -110,6 +110,8 @@ class VoxelSelection {
         int model = 0;
         std::shared_ptr<const VoxelSet> voxels = std::make_shared<VoxelSet>();
     };
+
+    void followNodes(const Changed& changed);
 
     State now_;
     std::optional<State> next_;

@@ -1,5 +1,6 @@
 #include "app/editor/session/selection_edits.h"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -16,6 +17,8 @@
 
 namespace voxprite::editor {
 namespace {
+
+const char* const kSelectedElsewhere = "What is selected does not show in this frame";
 
 const VoxelGrid& gridOf(const Session& session, int model) {
     return session.document().models[static_cast<std::size_t>(model)].voxels;
@@ -93,11 +96,21 @@ Result<Chosen> chosenVoxels(const Session& session) {
     const int node = selection.empty() ? session.activeNode() : selection.node();
     const Result<EditTarget> target = EditTarget::of(session, node);
     if (!target) return Failure(target.error());
-    const bool selected = !selection.empty() && selection.model() == target->model();
+    const bool selected = !selection.empty();
+    // Never the whole object in place of what the artist has chosen of it.
+    if (selected && selection.model() != target->model()) return fail(kSelectedElsewhere);
     Chosen chosen{node, target->model(), target->modelFromEntity().inverse(),
                   selected ? selection.voxels() : selectAll(target->voxels(session)), selected};
     if (chosen.voxels.empty()) return fail("The object is empty");
     return chosen;
+}
+
+bool selectionShows(const Session& session) {
+    const VoxelSelection& selection = session.selection();
+    return !selection.empty() &&
+           std::ranges::any_of(session.instances(), [&](const Instance& instance) {
+               return instance.node == selection.node() && instance.model == selection.model();
+           });
 }
 
 Status selectEverything(Session& session) {
@@ -110,6 +123,7 @@ Status selectEverything(Session& session) {
 Status invertSelection(Session& session) {
     const VoxelSelection& selection = session.selection();
     if (selection.empty()) return selectEverything(session);
+    if (!selectionShows(session)) return fail(kSelectedElsewhere);
     const int node = selection.node(), model = selection.model();
     session.selection().select(node, model, inverted(gridOf(session, model), selection.voxels()));
     return {};
@@ -147,18 +161,16 @@ Status lift(Session& session, const ToolSettings& settings, Floating::Kind kind)
 }
 
 bool clipFits(const Session& session) {
-    if (!session.clip() || *session.clipPalette() == session.document().palette) return true;
-    const ColourMatch match =
-        matchColours(session.clip()->voxels, *session.clipPalette(), session.document());
-    return match.isIdentity();
+    const auto& [clip, palette] = session.fitted();
+    if (!clip || *palette == session.document().palette) return true;
+    return matchColours(clip->voxels, *palette, session.document()).isIdentity();
 }
 
 Status fitClip(Session& session, std::string& said) {
     if (!session.clip() || clipFits(session)) return {};
-    const ColourMatch match =
-        matchColours(session.clip()->voxels, *session.clipPalette(), session.document());
-    VoxelClip clip{recoloured(session.clip()->voxels, match.indexOf),
-                   session.clip()->modelFromClip};
+    const auto& [copied, palette] = session.copied();
+    const ColourMatch match = matchColours(copied->voxels, *palette, session.document());
+    VoxelClip clip{recoloured(copied->voxels, match.indexOf), copied->modelFromClip};
     if (match.added > 0) {
         said = colourCount(match.added) + " added to the palette";
         Status added = session.perform(
@@ -170,7 +182,7 @@ Status fitClip(Session& session, std::string& said) {
         said += (said.empty() ? "" : "; ") + std::string("the palette is full: ") +
                 colourCount(match.approximated) + " became the nearest there is";
     }
-    session.setClip(std::move(clip));
+    session.setFittedClip(std::move(clip));
     return {};
 }
 
@@ -283,7 +295,9 @@ Result<Action> selectionToObject(const Session& session) {
     // In the space of the model that they come from, and where that lies: none has to be moved.
     VoxelClip clip = clipOf(session, *chosen);
     scene.addedModels.front().voxels = std::move(clip.voxels);
-    scene.after.nodes.back().placements.front().placement = clip.modelFromClip;
+    const Placement entityFromRoot = placementAt(document.nodes.front(), session.frame());
+    scene.after.nodes.back().placements.front().placement =
+        entityFromRoot.inverse() * clip.modelFromClip;
     Result<Action> taken = editOf(session, "To a new object", chosen->voxels.count(),
                                   patchOfSet(chosen->model, chosen->voxels, EditMode::erase, 0));
     if (!taken) return taken;

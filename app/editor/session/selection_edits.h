@@ -16,6 +16,8 @@ struct Chosen {
     bool selected = false;  // by the artist; else they are the whole object
 };
 [[nodiscard]] Result<Chosen> chosenVoxels(const Session& session);
+// Is something selected, and does it lie in what is shown? In another frame it may not.
+[[nodiscard]] bool selectionShows(const Session& session);
 
 // --- selecting; all within the active object
 [[nodiscard]] Status selectEverything(Session& session);

@@ -29,6 +29,7 @@ Session::Session() {
     savedProfile_ = workspace_.profile;
     // An empty model always fits.
     static_cast<void>(rebuild());
+    chooseActiveNode();
     followPalette();
 }
 
@@ -43,36 +44,58 @@ Status Session::perform(Action action) {
         return {};
     }
     const std::size_t position = history_.position();
-    const Changed changed = history_.execute(workspace_, std::move(action));
-    if (changed.any()) selection_.stepMade(position, history_.position() == position + 1);
-    Status followed = follow(changed);
-    if (!followed) {
-        // The document went where the octree cannot: take it back. What was there before fits.
-        static_cast<void>(follow(history_.undo(workspace_)));
+    Status followed;
+    const Changed changed = history_.execute(workspace_, std::move(action), following(followed));
+    if (changed.any()) {
+        selection_.stepMade(position, history_.position() == position + 1, changed);
+        arrive(changed);
     }
     return followed;
 }
 
 Status Session::undo() {
     const std::size_t position = history_.position();
-    const Changed changed = history_.undo(workspace_);
-    selection_.wentTo(position, history_.position());
-    return follow(changed);
+    Status followed;
+    const Changed changed = history_.undo(workspace_, following(followed));
+    if (changed.any()) {
+        selection_.wentTo(position, history_.position(), changed);
+        arrive(changed);
+    }
+    return followed;
 }
 
 Status Session::redo() {
     const std::size_t position = history_.position();
-    const Changed changed = history_.redo(workspace_);
-    selection_.wentTo(position, history_.position());
-    return follow(changed);
+    Status followed;
+    const Changed changed = history_.redo(workspace_, following(followed));
+    if (changed.any()) {
+        selection_.wentTo(position, history_.position(), changed);
+        arrive(changed);
+    }
+    return followed;
+}
+
+History::Follow Session::following(Status& first) {
+    // Told again on the way back, from where it fits; what went wrong was said before.
+    return [this, &first](const Changed& changed) {
+        Status followed = follow(changed);
+        if (first) first = followed;
+        return followed;
+    };
+}
+
+void Session::arrive(const Changed& changed) {
+    activeNode_ = changed.nodeNow(activeNode_);
+    chooseActiveNode();
+    selection_.follow(document(), changed);
 }
 
 Status Session::follow(const Changed& changed) {
     if (!changed.any()) return {};
     ++revision_;
-    selection_.follow(document(), changed);
     if (changed.scene || changed.palette || !changed.voxels.empty()) ++modelRevision_;
     if (changed.palette) followPalette();
+    for (const Changed::Voxels& voxels : changed.voxels) reviseVoxels(voxels.model);
     if (changed.scene) return rebuild();
     for (const Changed::Voxels& voxels : changed.voxels) {
         if (Status followed = followVoxels(voxels); !followed) return followed;
@@ -80,9 +103,20 @@ Status Session::follow(const Changed& changed) {
     return {};
 }
 
+void Session::reviseVoxels(int model) {
+    const auto index = static_cast<std::size_t>(model);
+    // A model that the step has added gets its first one with the others.
+    if (index < voxelRevisions_.size()) voxelRevisions_[index] = ++lastVoxelRevision_;
+}
+
 void Session::setClip(VoxelClip clip) {
-    clip_ = std::make_shared<const VoxelClip>(std::move(clip));
-    clipPalette_ = std::make_shared<const Palette>(document().palette);
+    copied_ = fitted_ = {std::make_shared<const VoxelClip>(std::move(clip)),
+                         std::make_shared<const Palette>(document().palette)};
+}
+
+void Session::setFittedClip(VoxelClip clip) {
+    fitted_ = {std::make_shared<const VoxelClip>(std::move(clip)),
+               std::make_shared<const Palette>(document().palette)};
 }
 
 void Session::showVariant(std::optional<std::size_t> variant) {
@@ -99,7 +133,6 @@ void Session::followPalette() {
 }
 
 Status Session::followVoxels(const Changed::Voxels& changed) {
-    voxelRevisions_[static_cast<std::size_t>(changed.model)] = ++lastVoxelRevision_;
     const std::size_t many = changed.positions.size();
     if (many > kManyVoxels && many > octree_.solidCount() / 64) {
         Status rebuilt = octree_.rebuild(flatten(workspace_.document, frame_));
@@ -225,13 +258,13 @@ void Session::install(Derived derived) {
     voxelRevisions_.resize(std::min(voxelRevisions_.size(), models));
     while (voxelRevisions_.size() < models) voxelRevisions_.push_back(++lastVoxelRevision_);
     sampler_.emplace(workspace_.document, frame_);
-    chooseActiveNode();
 }
 
 Status Session::rebuild() {
-    frame_ = std::clamp(frame_, 0, frameCount(document()) - 1);
-    Result<Derived> derived = derive(document(), frame_);
+    const int frame = std::clamp(frame_, 0, frameCount(document()) - 1);
+    Result<Derived> derived = derive(document(), frame);
     if (!derived) return Failure(derived.error());
+    frame_ = frame;
     install(std::move(*derived));
     return {};
 }

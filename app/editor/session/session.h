@@ -108,11 +108,18 @@ class Session {
     [[nodiscard]] VoxelSelection& selection() { return selection_; }
     // What was last copied or cut; the clipboard of the voxel tools, placed in entity space: as it
     // looked on screen. No part of the document: it outlives it.
-    [[nodiscard]] const std::shared_ptr<const VoxelClip>& clip() const { return clip_; }
-    // Its indices mean the colours that the document has now.
+    struct Clipboard {
+        std::shared_ptr<const VoxelClip> clip;   // null while there is none
+        std::shared_ptr<const Palette> palette;  // what its indices mean
+    };
+    [[nodiscard]] const Clipboard& copied() const { return copied_; }
+    // The same in the colours that a document had for it, at last: what is pasted and stamped.
+    [[nodiscard]] const Clipboard& fitted() const { return fitted_; }
+    [[nodiscard]] const std::shared_ptr<const VoxelClip>& clip() const { return fitted_.clip; }
+    // Their indices mean the colours that the document has now. A fitted clip may have lost colours
+    // that this document has no room for: another one gets them from what was copied.
     void setClip(VoxelClip clip);
-    // What the clip's indices mean; null while there is none.
-    [[nodiscard]] const std::shared_ptr<const Palette>& clipPalette() const { return clipPalette_; }
+    void setFittedClip(VoxelClip clip);
     // Most that undo may hold.
     void limitHistory(std::size_t bytes) { history_.setMemoryLimitBytes(bytes); }
     // A key of its own for the actions of one stroke or drag, which become one step.
@@ -172,7 +179,8 @@ class Session {
     // The copy of unsaved work that a crash left (recovery/recovery_folder.h): it is `file`, if
     // any, with changes that are in no file yet.
     [[nodiscard]] Status recover(const std::filesystem::path& document, const GameProfile& profile,
-                                 const std::optional<std::filesystem::path>& file);
+                                 const std::optional<std::filesystem::path>& file,
+                                 const std::optional<std::filesystem::path>& profileFile = {});
     struct Saving {
         std::filesystem::path path;
         Format format = Format::voxprite;
@@ -206,12 +214,19 @@ class Session {
     [[nodiscard]] std::string stem() const { return path_ ? title() : "untitled"; }
     [[nodiscard]] bool unsaved() const { return !history_.isSaved(); }
     [[nodiscard]] bool profileUnsaved() const { return savedProfile_ != workspace_.profile; }
+    // Other than in the values that files of documents keep, while the profile has no file?
+    [[nodiscard]] bool profileHasUnsavedOfItsOwn() const;
     // What was odd about the file last opened.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
   private:
-    // Brings derived data up to date with what `changed` says.
+    // Brings derived data up to date with what `changed` says; fails where an octree cannot go.
     [[nodiscard]] Status follow(const Changed& changed);
+    // The same for the history; `first` becomes what the first call says.
+    [[nodiscard]] History::Follow following(Status& first);
+    // The step is made: what the artist has in hand and has selected goes along.
+    void arrive(const Changed& changed);
+    void reviseVoxels(int model);
     [[nodiscard]] Status followVoxels(const Changed::Voxels& changed);
     void growOrShrinkBounds(const Changed::Voxels& changed);
     // What the entity shows at a voxel once `patches` are in force.
@@ -227,6 +242,8 @@ class Session {
                                                                    const VoxelSelection* floating,
                                                                    const Progress& progress);
     void adopt(Document document, Derived derived);
+    // A document's file holds no more of the game's profile than this.
+    void markSavedWithDocument(double voxelSizeMetres, double sigma);
     void chooseActiveNode();
     void followPalette();
 
@@ -256,8 +273,7 @@ class Session {
     GameProfile savedProfile_;
     std::vector<std::string> warnings_;
     VoxelSelection selection_;
-    std::shared_ptr<const VoxelClip> clip_;
-    std::shared_ptr<const Palette> clipPalette_;
+    Clipboard copied_, fitted_;
     std::weak_ptr<const Document> snapshot_;
     std::uint64_t snapshotRevision_ = 0;
 };

@@ -40,6 +40,7 @@ void Session::adopt(Document document, Derived derived) {
     voxelRevisions_.clear();
     selection_.forget();
     install(std::move(derived));
+    chooseActiveNode();
     showVariant(std::nullopt);
     history_.clear();
     history_.markSaved();
@@ -86,8 +87,21 @@ void Session::adopt(Opened opened) {
     if (!profilePath_ && (format == Format::voxprite || format == Format::svo)) {
         workspace_.profile.voxelSizeMetres = authored.voxelSizeMetres;
         workspace_.profile.sigma = authored.sigma;
-        savedProfile_ = workspace_.profile;
+        markSavedWithDocument(authored.voxelSizeMetres, authored.sigma);
     }
+}
+
+void Session::markSavedWithDocument(double voxelSizeMetres, double sigma) {
+    savedProfile_.voxelSizeMetres = voxelSizeMetres;
+    savedProfile_.sigma = sigma;
+}
+
+bool Session::profileHasUnsavedOfItsOwn() const {
+    if (profilePath_) return profileUnsaved();
+    GameProfile kept = savedProfile_;
+    kept.voxelSizeMetres = profile().voxelSizeMetres;
+    kept.sigma = profile().sigma;
+    return kept != profile();
 }
 
 Status Session::open(const std::filesystem::path& path, const ReadOptions& options) {
@@ -98,11 +112,16 @@ Status Session::open(const std::filesystem::path& path, const ReadOptions& optio
 }
 
 Status Session::recover(const std::filesystem::path& document, const GameProfile& profile,
-                        const std::optional<std::filesystem::path>& file) {
+                        const std::optional<std::filesystem::path>& file,
+                        const std::optional<std::filesystem::path>& profileFile) {
     Result<Opened> opened = read(document);
     if (!opened) return Failure(opened.error());
     adopt(std::move(*opened));
     workspace_.profile = profile;
+    profilePath_ = profileFile;
+    if (profileFile) {
+        if (Result<GameProfile> saved = readProfileFile(*profileFile)) savedProfile_ = *saved;
+    }
     path_ = file;
     stamp_ = file ? stampOf(*file) : std::nullopt;
     if (file && entitiesAt(*file) > 1) {
@@ -142,7 +161,7 @@ void Session::endSaving(const Saving& saving, const Written& written) {
     path_ = saving.path;
     stamp_ = *written;
     entityTitle_.clear();
-    if (!profilePath_) savedProfile_ = saving.profile;
+    if (!profilePath_) markSavedWithDocument(saving.profile.voxelSizeMetres, saving.profile.sigma);
 }
 
 Status Session::saveAs(const std::filesystem::path& path) {

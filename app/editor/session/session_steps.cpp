@@ -95,20 +95,17 @@ void Session::commit(Prepared prepared) {
     if (!changed.any()) return selection_.land(std::nullopt);
     selection_.land(std::move(prepared.landed));
     if (executes) {
-        selection_.stepMade(position, history_.position() == position + 1);
+        selection_.stepMade(position, history_.position() == position + 1, changed);
     } else {
-        selection_.wentTo(position, history_.position());
+        selection_.wentTo(position, history_.position(), changed);
     }
     ++revision_;
     ++modelRevision_;
-    for (const Changed::Voxels& voxels : changed.voxels) {
-        const auto model = static_cast<std::size_t>(voxels.model);
-        if (model < voxelRevisions_.size()) voxelRevisions_[model] = ++lastVoxelRevision_;
-    }
+    for (const Changed::Voxels& voxels : changed.voxels) reviseVoxels(voxels.model);
     frame_ = std::clamp(frame_, 0, prepared.derived.frames - 1);
-    selection_.follow(document(), changed);
     if (changed.palette) followPalette();
     install(std::move(prepared.derived));
+    arrive(changed);
 }
 
 std::shared_ptr<const Document> Session::snapshot() {

@@ -75,6 +75,11 @@ ToolBox::Outcome ToolBox::update(const ToolContext& context, bool picksColour) {
     const ToolInput& input = context.input;
     const std::size_t models = session.document().models.size();
     if (std::exchange(models_, models) > models) cancel(session);
+    const bool otherFrame = std::exchange(frame_, session.frame()) != session.frame();
+    if (tool_ && otherFrame) {
+        // It comes down in the frame that it was begun in.
+        if (auto action = tool_->confirm(session)) outcome.actions.push_back(std::move(*action));
+    }
     if (!tool_ || kind_ != context.settings.tool) take(context.settings.tool, session, outcome);
     if (!tool_) return outcome;
     // Shift and Alt together take away from the selection.

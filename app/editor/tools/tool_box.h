@@ -39,6 +39,7 @@ class ToolBox {
     ToolKind kind_ = ToolKind::brush;
     // Models go when adding them is undone, and with them what a tool was making of them.
     std::size_t models_ = 0;
+    int frame_ = 0;  // in which the tool makes what it makes
     // Where the pointer was when something was done: until it moves on, the result is shown and not
     // what the next click would do on top of it.
     std::optional<glm::dvec2> restsPx_;
