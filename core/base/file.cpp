@@ -6,6 +6,8 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdlib>
+#include <optional>
 #include <system_error>
 
 namespace voxprite {
@@ -83,20 +85,41 @@ bool isStream(const std::filesystem::path& path) {
            !S_ISDIR(status.st_mode);
 }
 
-Status writeToStream(const std::filesystem::path& path, ByteView bytes) {
-    FileDescriptor stream(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+Status writeToStream(FileDescriptor stream, const std::filesystem::path& path, ByteView bytes) {
     if (!stream.isOpen()) return systemFailure(path, "cannot be opened");
     if (!writeAll(stream.get(), bytes)) return systemFailure(path, "cannot be written");
     if (stream.close() != 0) return systemFailure(path, "cannot be written");
     return {};
 }
 
-// Writing through a symbolic link replaces what it points to and keeps the link.
-std::filesystem::path linkTarget(const std::filesystem::path& path) {
+std::filesystem::path folderOf(const std::filesystem::path& path) {
+    return path.has_parent_path() ? path.parent_path() : ".";
+}
+
+// Where a name leads. Writing through a symbolic link replaces what it points to, there or not, and
+// keeps the link. /dev/stdout and its like lead to a descriptor of this process: even if that is of
+// a file, others write to it as well, and it must not be replaced.
+struct Destination {
+    std::filesystem::path path;
+    std::optional<int> descriptor{};
+};
+
+Destination destinationOf(const std::filesystem::path& requested) {
+    constexpr int kMaxLinks = 40;
+    Destination to{requested};
     std::error_code error;
-    if (!std::filesystem::is_symlink(path, error)) return path;
-    std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
-    return error ? path : target;
+    const std::filesystem::path descriptors = std::filesystem::canonical("/proc/self/fd", error);
+    for (int k = 0; k < kMaxLinks && std::filesystem::is_symlink(to.path, error); ++k) {
+        const std::filesystem::path folder = std::filesystem::canonical(folderOf(to.path), error);
+        if (!error && folder == descriptors) {
+            to.descriptor = std::atoi(to.path.filename().c_str());
+            return to;
+        }
+        const std::filesystem::path target = std::filesystem::read_symlink(to.path, error);
+        if (error) return {requested};
+        to.path = folderOf(to.path) / target;
+    }
+    return to;
 }
 
 }  // namespace
@@ -134,13 +157,19 @@ Result<std::string> readTextFile(const std::filesystem::path& path) {
 }
 
 Status writeFileAtomically(const std::filesystem::path& requested, ByteView bytes) {
-    if (isStream(requested)) return writeToStream(requested, bytes);
-    const std::filesystem::path path = linkTarget(requested);
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    if (isStream(requested)) {
+        return writeToStream(FileDescriptor(::open(requested.c_str(), O_WRONLY | O_CLOEXEC)),
+                             requested, bytes);
+    }
+    const auto [path, descriptor] = destinationOf(requested);
+    if (descriptor) return writeToStream(FileDescriptor(::dup(*descriptor)), requested, bytes);
+    const std::filesystem::path folder = folderOf(path);
+    // Names may have 255 bytes: room for what is added.
+    constexpr std::size_t kKept = 200;
     static std::atomic<unsigned> counter{0};
     const std::filesystem::path temporary =
-        folder / ("." + path.filename().string() + "." + std::to_string(::getpid()) + "." +
-                  std::to_string(counter++) + ".part");
+        folder / ("." + path.filename().string().substr(0, kKept) + "." +
+                  std::to_string(::getpid()) + "." + std::to_string(counter++) + ".part");
 
     Status written = writeTemporary(temporary, path, bytes);
     if (written && ::rename(temporary.c_str(), path.c_str()) != 0) {

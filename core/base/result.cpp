@@ -2,31 +2,24 @@
 
 namespace voxprite {
 
-namespace {
-
-void appendOnOneLine(std::string& line, const std::string& text) {
-    for (const char c : text) {
+std::string onOneLine(std::string text) {
+    for (char& c : text) {
         const auto byte = static_cast<unsigned char>(c);
-        line += byte < 0x20 || byte == 0x7F ? ' ' : c;
+        if (byte < 0x20 || byte == 0x7F) c = ' ';
     }
+    return text;
 }
-
-}  // namespace
 
 std::string Error::describe() const {
     std::string text;
-    if (!file.empty()) {
-        appendOnOneLine(text, file);
-        text += ": ";
-    }
+    if (!file.empty()) text += onOneLine(file) + ": ";
     if (offset) text += "byte " + std::to_string(*offset) + ": ";
     if (line) {
         text += "line " + std::to_string(*line);
         if (column) text += ", column " + std::to_string(*column);
         text += ": ";
     }
-    appendOnOneLine(text, message);
-    return text;
+    return text + onOneLine(message);
 }
 
 Failure fail(std::string message) {

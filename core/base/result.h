@@ -29,6 +29,10 @@ using Result = tl::expected<T, Error>;
 using Status = Result<void>;
 using Failure = tl::unexpected<Error>;
 
+// Text from a file as people may see it: control characters, with which it could break the line or
+// speak to the terminal, are blanks.
+[[nodiscard]] std::string onOneLine(std::string text);
+
 [[nodiscard]] Failure fail(std::string message);
 [[nodiscard]] Failure failAtByte(std::uint64_t offset, std::string message);
 [[nodiscard]] Failure failAtLine(int line, int column, std::string message);

@@ -172,7 +172,8 @@ bool showsTheSame(const SceneState& a, const SceneState& b) {
     const auto sameNode = [](const SceneNode& x, const SceneNode& y) {
         return x.hidden == y.hidden && x.layer == y.layer && x.parent == y.parent &&
                x.children == y.children && x.placements == y.placements && x.models == y.models &&
-               x.loopPlacements == y.loopPlacements && x.loopModels == y.loopModels;
+               x.glides == y.glides && x.loopPlacements == y.loopPlacements &&
+               x.loopModels == y.loopModels;
     };
     return std::ranges::equal(a.layers, b.layers, sameLayer) &&
            std::ranges::equal(a.nodes, b.nodes, sameNode);

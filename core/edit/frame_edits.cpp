@@ -56,6 +56,7 @@ void resample(SceneNode& node, const Sources& sources) {
         node.placements = trackOf(everyFrame<PlacementKey>(sources, [&](int f) {
             return PlacementKey{0, placementAt(node, f)};
         }));
+        node.glides = false;
         node.loopPlacements = false;
     }
     if (!node.isGroup() && !isStill(node.models)) {

@@ -144,6 +144,7 @@ void keepInPlace(SceneState& scene, int node, int parent, int frames) {
             }
         }
         moved.placements = std::move(keys);
+        moved.glides = false;
         moved.loopPlacements = false;
     }
     std::erase(nodeOf(scene.nodes, before).children, node);

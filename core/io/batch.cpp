@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "core/base/parallel.h"
+#include "core/io/slice_names.h"
 
 namespace voxprite {
 namespace {
@@ -25,6 +26,13 @@ std::string identityOf(const fs::path& path) {
     std::error_code error;
     const fs::path whole = fs::weakly_canonical(path, error);
     return (error ? path.lexically_normal() : whole).string();
+}
+
+// Where an output will lie: numbered pictures are layers of one stack, whatever their numbers.
+std::string placeOf(const fs::path& output, Format to) {
+    const std::optional<SliceName> layer = to == Format::png ? sliceNameOf(output) : std::nullopt;
+    if (!layer || !isSurelyNumbered(*layer)) return output.string();
+    return (output.parent_path() / (layer->beginning + "*.png")).string();
 }
 
 class Batch {
@@ -122,9 +130,9 @@ Result<std::vector<BatchItem>> planBatch(const std::vector<fs::path>& inputs,
         // A folder of layers may be named with a slash at its end.
         const fs::path named = input.has_filename() ? input : input.parent_path();
         const fs::path output = folder / (named.stem().string() + infoOf(to).ending);
-        const auto [known, isNew] = inputOf.try_emplace(output.string(), input);
+        const auto [known, isNew] = inputOf.try_emplace(placeOf(output, to), input);
         if (!isNew) {
-            return failInFile(input.string(), "would be written to " + output.string() +
+            return failInFile(input.string(), "would be written to " + known->first +
                                                   ", as would " + known->second.string() +
                                                   "; nothing was converted");
         }

@@ -77,6 +77,8 @@ class BudgetedGrid {
         grid_.fill(cube, value);
         return true;
     }
+    // Of a block that takes as much of the file as of memory.
+    void setUnpaid(glm::ivec3 v, std::uint8_t value) { grid_.set(v, value); }
     [[nodiscard]] VoxelGrid release() { return std::move(grid_); }
 
   private:

@@ -95,11 +95,18 @@ Result<ColourList> readGimpPalette(std::string_view text) {
         return lines.fail("the first line must be \"GIMP Palette\"");
     }
     ColourList colours;
+    bool hasAlpha = false;
     while (const auto line = lines.next()) {
         std::string_view rest = trimmed(*line);
         if (rest.empty() || rest.starts_with('#')) continue;
         if (rest.starts_with("Name:") || rest.starts_with("Columns:")) continue;
+        if (rest.starts_with("Channels:")) {
+            hasAlpha = rest.ends_with("RGBA");
+            continue;
+        }
         const std::optional<Rgba8> colour = takeColour(rest);
+        if (colour && hasAlpha && !takeNumber(rest, 255))
+            return lines.fail("a colour without alpha");
         if (!colour) return lines.fail("three numbers from 0 to 255 and a name must stand here");
         if (colours.size() == kMostColours) return lines.fail(tooMany(kMostColours + 1));
         const std::string_view name = trimmed(rest);

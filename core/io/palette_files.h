@@ -1,7 +1,8 @@
 // Lists of colours as other programs keep them, by the file's ending.
 //
 // .gpl  GIMP palettes (also Krita, Inkscape, Aseprite): "GIMP Palette", lines "Name: ..." and
-//       "Columns: ...", comments from '#', then "red green blue  name" a line.
+//       "Columns: ...", comments from '#', then "red green blue  name" a line; after Aseprite's
+//       "Channels: RGBA" a fourth number, alpha, is read over.
 // .pal  JASC palettes (Paint Shop Pro, Aseprite, lospec): "JASC-PAL", "0100", the count, then
 //       "red green blue" a line; a fourth number, alpha, is read over.
 // .png  a pixel a colour, row by row. Written 256 x 1, the last pixel transparent, as MagicaVoxel

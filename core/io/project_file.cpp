@@ -20,10 +20,10 @@ Failure failInEntry(const std::string& entry, Error error) {
     return Failure(std::move(error));
 }
 
-Result<VoxelGrid> readVoxels(const VoxelEntry& entry, ByteView bytes) {
+Result<VoxelGrid> readVoxels(const VoxelEntry& entry, ByteView bytes, GridBudget& budget) {
     if (kChecksumsCount && crc32(bytes) != entry.crc32)
         return fail("the checksum in project.json does not match");
-    Result<VoxelGrid> voxels = readVoxelPayload(bytes);
+    Result<VoxelGrid> voxels = readVoxelPayload(bytes, budget);
     if (voxels && voxels->solidCount() != entry.solidVoxels) {
         return fail("the number of voxels in project.json does not match");
     }
@@ -63,12 +63,13 @@ Result<Document> readProject(ByteView bytes) {
 
     Document& document = project->document;
     std::uint64_t bytesLeft = kMaxProjectVoxelBytes;
+    GridBudget budget(bytes.size());
     for (std::size_t k = 0; k < document.models.size(); ++k) {
         const VoxelEntry& entry = project->entries[k];
         const Result<Bytes> payload = archive->read(entry.file, bytesLeft);
         if (!payload) return Failure(payload.error());
         bytesLeft -= payload->size();
-        Result<VoxelGrid> voxels = readVoxels(entry, *payload);
+        Result<VoxelGrid> voxels = readVoxels(entry, *payload, budget);
         if (!voxels) return failInEntry(entry.file, voxels.error());
         document.models[k].voxels = std::move(*voxels);
     }

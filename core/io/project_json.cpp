@@ -158,6 +158,7 @@ SceneNode nodeFrom(const JsonValue& value) {
     node.children = listFrom(object.need("children"), indexFrom);
     node.placements = listFrom(object.need("placements"), placementKeyFrom);
     node.models = listFrom(object.need("models"), modelKeyFrom);
+    object.read("glides", node.glides);
     object.read("loopPlacements", node.loopPlacements);
     object.read("loopModels", node.loopModels);
     if (const auto field = object.find("attributes")) node.attributes = propertiesFrom(*field);

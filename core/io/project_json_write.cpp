@@ -108,6 +108,7 @@ Json nodeJson(const SceneNode& node) {
                                 [](const ModelKey& key) -> Json {
                                     return {{"frame", key.frame}, {"model", key.model}};
                                 })},
+            {"glides", node.glides},
             {"loopPlacements", node.loopPlacements},
             {"loopModels", node.loopModels},
             {"attributes", propertiesJson(node.attributes)}};

@@ -16,7 +16,9 @@
 //             MagicaVoxel places what it opens; several models are frames of its animation, which
 //             is what PACK was for.
 // Animation   _f of a transform's frames and of a shape's models are the keys' frames (an entry
-//             without one: its position in the list); _loop "1" starts the track again.
+//             without one: its position in the list). Objects glide from key to key and turn at
+//             them, models change at their keys; _loop "1" repeats the track from its first key to
+//             its last. Tracks that hold still until the next key are written with a key more.
 // Layers      by their id; ids that are missing become blank layers.
 // Colours     RGBA entry i is colour i + 1. A short chunk fills the colours that it has; none means
 //             the default palette. IMAP entry k is the colour shown in slot k + 1: it becomes
@@ -58,13 +60,15 @@ struct VoxImport {
 //
 // Reads back equal if every model has a canvas of at most 256 on an edge that holds its voxels and
 // starts at -floor(size / 2), as all documents from .vox files have, except for what .vox has no
-// words for: clips, sockets, the entity's settings, authored values, ids of render settings. A
-// canvas that does not fit is replaced by the smallest that does; models too large or too far from
-// their origin for one are split into cubes of 256 under a group. All frames of the entity stay the
-// same.
+// words for: clips, sockets, the entity's settings, authored values, ids of render settings, and
+// the keys that hold an object still. A canvas that does not fit is replaced by the smallest that
+// does; models too far from their origin for one get another pivot, models longer than 256 are cut
+// into cubes of 256 under a group. All frames of the entity stay the same.
 //
 // Fails on an invalid document, on more than 1024 layers, nesting too deep to be read again, and
 // more voxels than a file can hold.
 [[nodiscard]] Result<Bytes> writeVox(const Document& document);
+// What is lost beside what the format has no words for: models that are cut.
+[[nodiscard]] std::vector<std::string> voxLosses(const Document& document);
 
 }  // namespace voxprite

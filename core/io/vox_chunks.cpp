@@ -1,6 +1,7 @@
 // The chunks of a .vox file, one after the other.
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 #include "core/io/vox_fields.h"
@@ -191,7 +192,7 @@ class ChunkParser {
         BlockCount blocks(pivot);
         for (std::size_t i = 0; i < voxels.size(); i += 4) {
             const glm::ivec3 v(voxels[i], voxels[i + 1], voxels[i + 2]);
-            if (!IBox{glm::ivec3(0), size_}.contains(v)) {
+            if (!IBox{glm::ivec3(0), canvas}.contains(v)) {
                 fields.refuse(first + i, "voxel " + std::to_string(v.x) + ", " +
                                              std::to_string(v.y) + ", " + std::to_string(v.z) +
                                              " lies outside its model");
@@ -259,6 +260,16 @@ class ChunkParser {
     std::vector<std::string> skipped_;
 };
 
+// Some writers leave MAIN's length at 0 or forget to bring it up to date: do chunks of the format
+// follow where it says that they end?
+bool goesOn(ByteReader reader, std::uint64_t childBytes) {
+    constexpr std::array kFirst{"PACK", "SIZE", "XYZI", "RGBA", "nTRN", "nGRP", "nSHP",
+                                "LAYR", "MATL", "IMAP", "NOTE", "rCAM", "rOBJ", "MATT"};
+    if (!reader.take(childBytes, "")) return false;
+    const Result<ChunkHeader> header = readHeader(reader);
+    return header && std::ranges::find(kFirst, header->id) != kFirst.end();
+}
+
 }  // namespace
 
 void VoxWarnings::add(std::string sentence) {
@@ -285,7 +296,9 @@ Result<VoxFile> parseVox(ByteView bytes) {
         return failAtByte(main->offset, "the first chunk is " + main->id + " instead of MAIN");
     }
     (void)reader.take(main->contentBytes, "chunk MAIN");
-    Result<ByteReader> chunks = reader.sub(main->childBytes, "chunk MAIN");
+    const bool endsTooSoon = goesOn(reader, main->childBytes);
+    Result<ByteReader> chunks =
+        reader.sub(endsTooSoon ? reader.remaining() : main->childBytes, "chunk MAIN");
     if (!chunks) return tl::unexpected(chunks.error());
 
     ChunkParser parser(bytes.size());
@@ -301,6 +314,10 @@ Result<VoxFile> parseVox(ByteView bytes) {
         }
     }
     Result<VoxFile> file = parser.finish();
+    if (file && endsTooSoon) {
+        file->warnings.add("chunk MAIN claims " + std::to_string(main->childBytes) +
+                           " bytes, but chunks go on after them; all are read");
+    }
     if (file && !reader.atEnd()) {
         file->warnings.add(std::to_string(reader.remaining()) +
                            " bytes follow after the last chunk");

@@ -5,6 +5,7 @@
 
 #include "core/io/vox_fields.h"
 #include "core/io/vox_file.h"
+#include "core/model/entity_voxels.h"
 
 namespace voxprite {
 
@@ -117,6 +118,8 @@ void parseTransform(VoxNode& node, VoxFields& fields, VoxWarnings& warnings) {
         track.emplace_back();
     }
     part.placements = keysFromTrack(std::move(track), "frame/", node, warnings);
+    part.glides = true;
+    part.glides = movesBetweenKeys(part);  // said of those alone that do
 }
 
 void parseGroup(VoxNode& node, VoxFields& fields) {

@@ -141,8 +141,10 @@ Palette paletteFromVox(VoxPaletteChunks chunks, VoxWarnings& warnings) {
         std::array<bool, 256> shown{};
         for (const std::uint8_t index : *chunks.displayMap) shown[index] = true;
         const bool permutation = std::find(shown.begin(), shown.end(), false) == shown.end();
-        if (permutation && chunks.displayMap->back() == 0) {
-            std::copy_n(chunks.displayMap->begin(), 255, palette.displayOrder.begin() + 1);
+        if (permutation) {
+            // The empty colour is shown nowhere; MagicaVoxel has it last.
+            std::ranges::remove_copy(*chunks.displayMap, palette.displayOrder.begin() + 1,
+                                     std::uint8_t{0});
         } else {
             warnings.add("the palette's display order is no permutation; it is left out");
         }

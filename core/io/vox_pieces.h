@@ -10,6 +10,8 @@
 
 namespace voxprite {
 
+inline constexpr int kMaxVoxEdge = 256;
+
 // A model of the file. Its voxel v is v - floor(size / 2) + (where the scene graph puts it).
 struct VoxPiece {
     glm::ivec3 size{1};
@@ -24,8 +26,8 @@ struct PlacedPiece {
 
 struct VoxPieces {
     std::vector<VoxPiece> pieces;
-    // For each model of the document. One piece with its pivot at the origin wherever that is
-    // possible; else one for each cube of 256 voxels that holds any.
+    // For each model of the document. One piece wherever the voxels fit, with its pivot at the
+    // origin if that is possible, too; else one for each cube of 256 voxels that holds any.
     std::vector<std::vector<PlacedPiece>> ofModel;
 };
 

@@ -1,7 +1,9 @@
 // The writer: version 200, chunks in the order in which MagicaVoxel writes them.
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include "core/io/vox.h"
@@ -126,7 +128,7 @@ class SceneWriter {
     // An empty model is needed where a split model is not shown in every frame.
     void addEmptyPieceIfNeeded() {
         for (const SceneNode& node : document_.nodes) {
-            if (node.models.size() > 1 && isSplit(node)) {
+            if (node.models.size() > 1 && !pivotOf(node)) {
                 emptyPiece_ = static_cast<int>(pieces_.pieces.size());
                 pieces_.pieces.emplace_back();
                 return;
@@ -157,11 +159,31 @@ class SceneWriter {
         return pieces_.ofModel[static_cast<std::size_t>(model)];
     }
 
-    bool isSplit(const SceneNode& node) const {
-        return std::any_of(node.models.begin(), node.models.end(), [this](const ModelKey& key) {
+    // Where the one piece of each of the node's models lies, if it is the same place for all and
+    // the node's transform can say it: then the node needs no objects below it.
+    std::optional<glm::ivec3> pivotOf(const SceneNode& node) const {
+        if (node.isGroup()) return glm::ivec3(0);
+        std::optional<glm::ivec3> pivot;
+        for (const ModelKey& key : node.models) {
             const std::vector<PlacedPiece>& placed = piecesOfModel(key.model);
-            return placed.size() != 1 || placed[0].pivot != glm::ivec3(0);
-        });
+            if (placed.size() != 1 || placed[0].pivot != pivot.value_or(placed[0].pivot)) {
+                return std::nullopt;
+            }
+            pivot = placed[0].pivot;
+        }
+        if (*pivot == glm::ivec3(0)) return pivot;
+        const SignedPermutation& first = node.placements[0].placement.rotation;
+        for (const PlacementKey& key : node.placements) {
+            // A turn about another pivot would glide along another way.
+            if (node.glides && key.placement.rotation != first) return std::nullopt;
+            const glm::ivec3 t = movedTo(*pivot, key.placement).translation;
+            if (t != glm::clamp(t, -kMaxCoordinate, kMaxCoordinate)) return std::nullopt;
+        }
+        return pivot;
+    }
+
+    static Placement movedTo(glm::ivec3 pivot, const Placement& placement) {
+        return placement * Placement{{}, pivot};
     }
 
     void writeTransform(const SceneNode& node, const AttributesByPlace& attributes, int id) {
@@ -171,15 +193,27 @@ class SceneWriter {
         if (node.locked) own["_locked"] = "1";
         if (node.loopPlacements) own["_loop"] = "1";
         const bool animated = node.placements.size() > 1 || node.placements[0].frame != 0;
-        std::vector<Properties> frames = attributes.frames;
-        for (std::size_t i = 0; i < frames.size(); ++i) {
-            const auto& [frame, placement] = node.placements[i];
-            if (animated) frames[i]["_f"] = std::to_string(frame);
+        const glm::ivec3 pivot = pivotOf(node).value_or(glm::ivec3(0));
+        std::vector<Properties> frames;
+        const auto addKey = [&](int frame, const Placement& placement, Properties properties) {
+            if (animated) properties["_f"] = std::to_string(frame);
             if (placement.rotation != SignedPermutation{}) {
-                frames[i]["_r"] = std::to_string(placement.rotation.toVoxByte());
+                properties["_r"] = std::to_string(placement.rotation.toVoxByte());
             }
-            const glm::ivec3 t = placement.translation;
-            if (t != glm::ivec3(0)) frames[i]["_t"] = textFromVector(t);
+            const glm::ivec3 t = movedTo(pivot, placement).translation;
+            if (t != glm::ivec3(0)) properties["_t"] = textFromVector(t);
+            frames.push_back(std::move(properties));
+        };
+        for (std::size_t i = 0; i < node.placements.size(); ++i) {
+            const auto& [frame, placement] = node.placements[i];
+            addKey(frame, placement, attributes.frames[i]);
+            if (i + 1 == node.placements.size()) break;
+            // What stands still until it jumps must be told to.
+            const PlacementKey& next = node.placements[i + 1];
+            if (!node.glides && next.frame > frame + 1 &&
+                next.placement.translation != placement.translation) {
+                addKey(next.frame - 1, placement, {});
+            }
         }
         writeTransformChunk(id, own, node.layer, frames);
     }
@@ -224,7 +258,7 @@ class SceneWriter {
     }
 
     void writeModels(const SceneNode& node, const AttributesByPlace& attributes, int id) {
-        if (isSplit(node)) {
+        if (!pivotOf(node)) {
             writeSplitModels(node, attributes, id);
             return;
         }
@@ -302,6 +336,18 @@ void writeLayer(ByteWriter& out, const Layer& layer, std::size_t id) {
 }
 
 }  // namespace
+
+std::vector<std::string> voxLosses(const Document& document) {
+    const auto cut = std::ranges::count_if(document.models, [](const Model& model) {
+        const glm::ivec3 size = model.voxels.bounds().size();
+        return std::max({size.x, size.y, size.z}) > kMaxVoxEdge;
+    });
+    if (cut == 0) return {};
+    const std::string edge = std::to_string(kMaxVoxEdge);
+    return {".vox has models of at most " + edge + " voxels an edge: " + std::to_string(cut) +
+            (cut == 1 ? " model is" : " models are") +
+            " written in pieces, each an object of its own"};
+}
 
 Result<Bytes> writeVox(const Document& document) {
     if (Status s = validate(document); !s) return tl::unexpected(s.error());

@@ -49,14 +49,14 @@ Result<BlockHeader> readBlockHeader(ByteReader& reader) {
     return header;
 }
 
-Status readBlock(ByteReader& reader, VoxelGrid& grid) {
+Status readBlock(ByteReader& reader, BudgetedGrid& grid) {
     const std::uint64_t start = reader.offset();
     const Result<BlockHeader> header = readBlockHeader(reader);
     if (!header) return Failure(header.error());
     const IBox box{header->origin, header->origin + header->edgeVoxels};
     if (header->value != 0) {
         if (!withinLimits(box.max - 1)) return failAtByte(start, "voxels beyond the limits");
-        grid.fill(box, header->value);
+        if (!grid.fill(box, header->value)) return failAtByte(start, GridBudget::refusal());
         return {};
     }
     const Result<ByteView> values = reader.take(kDenseVoxels, "the voxels of a block");
@@ -66,7 +66,7 @@ Status readBlock(ByteReader& reader, VoxelGrid& grid) {
         if (value == 0) continue;
         const glm::ivec3 voxel = header->origin + glm::ivec3(k >> 6, (k >> 3) & 7, k & 7);
         if (!withinLimits(voxel)) return failAtByte(start, "voxels beyond the limits");
-        grid.set(voxel, value);
+        grid.setUnpaid(voxel, value);
     }
     return {};
 }
@@ -110,7 +110,7 @@ Result<Bytes> writeVoxelPayload(const VoxelGrid& voxels) {
     return writer.release();
 }
 
-Result<VoxelGrid> readVoxelPayload(ByteView bytes) {
+Result<VoxelGrid> readVoxelPayload(ByteView bytes, GridBudget& budget) {
     ByteReader reader(bytes);
     const Result<ByteView> magic = reader.take(kPayloadMark.size(), "the voxels' mark");
     if (!magic) return Failure(magic.error());
@@ -122,12 +122,12 @@ Result<VoxelGrid> readVoxelPayload(ByteView bytes) {
     if (*count > reader.remaining() / kBlockHeaderBytes) {
         return failAtByte(kPayloadMark.size(), "more blocks of voxels are claimed than there are");
     }
-    VoxelGrid grid;
+    BudgetedGrid grid(budget);
     for (std::uint32_t k = 0; k < *count; ++k) {
         if (Status status = readBlock(reader, grid); !status) return Failure(status.error());
     }
     if (!reader.atEnd()) return failAtByte(reader.offset(), "bytes after the last block");
-    return grid;
+    return grid.release();
 }
 
 }  // namespace voxprite

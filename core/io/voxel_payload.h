@@ -12,12 +12,14 @@
 #pragma once
 
 #include "core/base/bytes.h"
+#include "core/io/grid_budget.h"
 #include "core/model/voxel_grid.h"
 
 namespace voxprite {
 
 [[nodiscard]] Result<Bytes> writeVoxelPayload(const VoxelGrid& voxels);
-// Memory is bounded by the payload's own length times a small constant.
-[[nodiscard]] Result<VoxelGrid> readVoxelPayload(ByteView bytes);
+// Memory is bounded by the payload's own length times a small constant and by `budget`, out of
+// which blocks of one value are paid.
+[[nodiscard]] Result<VoxelGrid> readVoxelPayload(ByteView bytes, GridBudget& budget);
 
 }  // namespace voxprite

@@ -56,7 +56,10 @@ struct SceneNode {
     std::vector<PlacementKey> placements =
         std::vector<PlacementKey>(1);  // ascending frames, at least one
     std::vector<ModelKey> models;      // ascending frames; empty for a group
-    // After the frame of its last key the track starts again: frame f is f mod (last + 1).
+    // From one key to the next the translation runs evenly, rounded down; turns and mirrors still
+    // hold until the next key. This is how objects of .vox files move.
+    bool glides = false;
+    // The frames from the first key to the last go on for ever, before as after.
     bool loopPlacements = false;
     bool loopModels = false;
     Properties attributes;  // what the file said beyond this, kept for writing

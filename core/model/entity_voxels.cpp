@@ -6,15 +6,43 @@ namespace voxprite {
 
 namespace {
 
-// The key in force at `frame`: the last one not after it. Before the first key that one holds; a
-// looping track runs over the frames 0 ... last key again and again.
 template <class Key>
-const Key& keyAt(const std::vector<Key>& keys, int frame, bool loop) {
-    const int inTrack = loop ? frame % (keys.back().frame + 1) : frame;
+int periodOf(const std::vector<Key>& keys) {
+    return keys.back().frame - keys.front().frame + 1;
+}
+
+// The frame between the first key and the last that a looping track shows at `frame`.
+template <class Key>
+int frameInTrack(const std::vector<Key>& keys, int frame, bool loop) {
+    if (!loop) return frame;
+    const int first = keys.front().frame;
+    const int period = periodOf(keys);
+    return first + ((frame - first) % period + period) % period;
+}
+
+// The key in force at `frame` of the track: the last one not after it. Before the first key that
+// one holds.
+template <class Key>
+auto keyAt(const std::vector<Key>& keys, int frameInTrack) {
     const auto after =
-        std::upper_bound(keys.begin(), keys.end(), inTrack,
+        std::upper_bound(keys.begin(), keys.end(), frameInTrack,
                          [](int value, const Key& key) { return value < key.frame; });
-    return after == keys.begin() ? keys.front() : *std::prev(after);
+    return after == keys.begin() ? after : std::prev(after);
+}
+
+bool movesUntil(const PlacementKey& key, const PlacementKey& next) {
+    return next.frame - key.frame > 1 && key.placement.translation != next.placement.translation;
+}
+
+glm::ivec3 between(const PlacementKey& key, const PlacementKey& next, int frame) {
+    const std::int64_t length = next.frame - key.frame;
+    glm::ivec3 place = key.placement.translation;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::int64_t way =
+            (std::int64_t{next.placement.translation[axis]} - place[axis]) * (frame - key.frame);
+        place[axis] += static_cast<int>(way / length - (way % length < 0 ? 1 : 0));
+    }
+    return place;
 }
 
 bool isHidden(const Document& document, const SceneNode& node) {
@@ -26,15 +54,15 @@ bool isHidden(const Document& document, const SceneNode& node) {
 template <class Key>
 void markChanges(std::vector<bool>& changes, const std::vector<Key>& keys, bool loop) {
     if (keys.size() < 2) return;
-    const auto period = static_cast<std::size_t>(keys.back().frame) + 1;
+    const int period = periodOf(keys);
     for (const Key& key : keys) {
-        for (auto f = static_cast<std::size_t>(key.frame); f < changes.size(); f += period) {
+        const int first = loop ? key.frame % period : key.frame;
+        for (auto f = static_cast<std::size_t>(first); f < changes.size();
+             f += static_cast<std::size_t>(period)) {
             changes[f] = true;
             if (!loop) break;
         }
     }
-    // Where the track starts again, the first key holds even before its own frame.
-    for (std::size_t f = 0; loop && f < changes.size(); f += period) changes[f] = true;
 }
 
 // The frames that may differ from the one before; frame 0 always.
@@ -42,6 +70,7 @@ std::vector<int> distinctFrames(const Document& document) {
     std::vector<bool> changes(static_cast<std::size_t>(frameCount(document)), false);
     changes[0] = true;
     for (const SceneNode& node : document.nodes) {
+        if (movesBetweenKeys(node)) changes.assign(changes.size(), true);
         markChanges(changes, node.placements, node.loopPlacements);
         markChanges(changes, node.models, node.loopModels);
     }
@@ -88,16 +117,27 @@ int frameCount(const Document& document) {
     return last + 1;
 }
 
-const Placement& placementAt(const SceneNode& node, int frame) {
-    return keyAt(node.placements, frame, node.loopPlacements).placement;
+Placement placementAt(const SceneNode& node, int frame) {
+    const int inTrack = frameInTrack(node.placements, frame, node.loopPlacements);
+    const auto key = keyAt(node.placements, inTrack);
+    Placement placement = key->placement;
+    if (node.glides && key->frame < inTrack && key + 1 != node.placements.end()) {
+        placement.translation = between(*key, *(key + 1), inTrack);
+    }
+    return placement;
+}
+
+bool movesBetweenKeys(const SceneNode& node) {
+    return node.glides &&
+           std::ranges::adjacent_find(node.placements, movesUntil) != node.placements.end();
 }
 
 int modelAt(const SceneNode& object, int frame) {
-    return keyAt(object.models, frame, object.loopModels).model;
+    return keyAt(object.models, frameInTrack(object.models, frame, object.loopModels))->model;
 }
 
 glm::dvec3 positionAt(const Socket& socket, int frame) {
-    return keyAt(socket.positions, frame, false).positionVoxels;
+    return keyAt(socket.positions, frame)->positionVoxels;
 }
 
 std::vector<Instance> instancesOf(const Document& document, int frame, bool includeHidden) {

@@ -20,9 +20,9 @@ struct Instance {
 // Frames of the document: one more than the last key of any node; at least 1.
 [[nodiscard]] int frameCount(const Document& document);
 
-// What holds in one frame: the last key not after it (before the first key that one); a looping
-// track starts again after its last key.
-[[nodiscard]] const Placement& placementAt(const SceneNode& node, int frame);
+// What holds in one frame: the last key not after it (before the first key that one), in tracks
+// that do not loop or glide.
+[[nodiscard]] Placement placementAt(const SceneNode& node, int frame);
 [[nodiscard]] int modelAt(const SceneNode& object, int frame);
 [[nodiscard]] glm::dvec3 positionAt(const Socket& socket, int frame);
 
@@ -30,6 +30,9 @@ struct Instance {
 // what lies under them, and hidden layers are left out, unless includeHidden.
 [[nodiscard]] std::vector<Instance> instancesOf(const Document& document, int frame,
                                                 bool includeHidden = false);
+
+// Does the node glide, with keys far enough apart for anything to lie between them?
+[[nodiscard]] bool movesBetweenKeys(const SceneNode& node);
 
 // The tight bounds of one frame, and of the union of all frames (the entity's bounds: centre,
 // anchor and octree origin belong to these, so that nothing slides). Empty when there is no voxel.

@@ -27,7 +27,9 @@ std::uint32_t voxelId(glm::ivec3 voxel, glm::ivec3 modelSize) {
     const auto y = static_cast<std::uint32_t>(voxel.y);
     const auto z = static_cast<std::uint32_t>(voxel.z);
     const auto width = static_cast<std::uint32_t>(modelSize.x);
-    return kIdFirstVoxel + x + width * (y + static_cast<std::uint32_t>(modelSize.y) * z);
+    const std::uint32_t id =
+        kIdFirstVoxel + x + width * (y + static_cast<std::uint32_t>(modelSize.y) * z);
+    return id < kIdFirstVoxel ? id + kIdFirstVoxel : id;  // never nothing, never outline
 }
 
 void dilateOutline(SpriteBuffer& buffer, Rgba8 colour) {

@@ -62,7 +62,9 @@ std::size_t LitPalettes::LookHash::operator()(const Look& look) const {
 }
 
 void LitPalettes::beginFrame() {
-    if (kept_ > 2 * used_ + kSpare) forgetUnused();
+    if (kept_ > 2 * used_ + kSpare || sources_.size() > 2 * thisFrame_.size() + kSpare) {
+        forgetUnused();
+    }
     thisFrame_.clear();
     used_ = 0;
     ++frame_;

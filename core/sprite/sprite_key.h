@@ -34,8 +34,9 @@ namespace voxprite {
 
 // Gives lit palettes numbers, so that a crowd compares and hashes a number instead of thousands
 // of colours: the same palette in the same light has the same number, and no number ever stands for
-// two. Bounded by twice what one frame uses and kSpare more: what the last frame did not use may be
-// forgotten and, should it come again, is worked out and numbered anew.
+// two. Palettes and their lit tables are each bounded by twice what one frame asks for and kSpare
+// more: what the last frame did not use may be forgotten and, should it come again, is worked out
+// and numbered anew.
 class LitPalettes {
   public:
     static constexpr std::size_t kSpare = 1024;
@@ -50,7 +51,8 @@ class LitPalettes {
                               const Outline& outline, Shading shading = Shading::multiply);
     // Equal for palettes that are shaded alike (PaletteShader::isOf), and never given to another.
     [[nodiscard]] std::uint64_t contentOf(const Palette& palette);
-    [[nodiscard]] std::size_t kept() const { return kept_; }
+    // Palettes and lit tables that are remembered.
+    [[nodiscard]] std::size_t kept() const { return kept_ + sources_.size(); }
 
   private:
     struct Look {

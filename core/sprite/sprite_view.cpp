@@ -175,7 +175,17 @@ Result<SpriteViewResult> viewFrom(const PlacedEntity& entity, const Camera& came
     if (views != nullptr && entity.radiusMetres() < camera.metresPerScreenPx(planeDepth))
         return unseen(Unseen::subPixel);
 
-    auto view = makeView(entity, camera, profile, centreFromEye, sigma, views, history, lattices);
+    const auto seenAt = [&](double sigmaInForce) {
+        return makeView(entity, camera, profile, centreFromEye, sigmaInForce, views, history,
+                        lattices);
+    };
+    Result<SpriteView> view = seenAt(sigma);
+    // A large model close by: a coarser sprite instead of none.
+    while (!view && profile.minification && sigma * entity.scale * 0.5 >= kLeastSigma) {
+        sigma *= 0.5;
+        Result<SpriteView> coarser = seenAt(sigma);
+        if (coarser) view = std::move(coarser);
+    }
     if (!view) return Failure(view.error());
     return SpriteViewResult{*view, std::nullopt};
 }

@@ -73,8 +73,9 @@ enum class Unseen : std::uint8_t {
     subPixel  // of viewSnapshot: the sphere around the model has a radius under one screen pixel
 };
 
-// Not seen (and why), or the view. Fails on non-finite input and over-large buffers. `lattices` may
-// remember what views were quantised to (core/sprite/lattice_memo.h); it changes no result.
+// Not seen (and why), or the view. Fails on non-finite input and over-large buffers; with
+// minification sigma is halved until the buffer is small enough instead. `lattices` may remember
+// what views were quantised to (core/sprite/lattice_memo.h); it changes no result.
 struct SpriteViewResult {
     std::optional<SpriteView> view;
     std::optional<Unseen> unseen;

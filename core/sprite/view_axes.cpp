@@ -104,10 +104,10 @@ glm::dmat3 snapAxes(const glm::dmat3& voxelAxes, double stepDegrees, ViewHistory
     const double margin = std::min(kSnapMargin / towardPole, kMostSnapMargin);
     const int pitch = snapped(angles.pitchDegrees, 1, kSnapMargin);
     // Seen from the pole yaw and roll are one turn: apart, each would have a step of its own.
-    if (std::abs(degreesOf(pitch)) == 90.0)
-        angles = {headingAtPole(voxelAxes, pitch > 0), degreesOf(pitch), 0.0};
+    const bool atPole = std::abs(degreesOf(pitch)) == 90.0;
+    if (atPole) angles = {headingAtPole(voxelAxes, pitch > 0), degreesOf(pitch), 0.0};
     const glm::ivec3 steps{snapped(angles.yawDegrees, 0, margin), pitch,
-                           snapped(angles.rollDegrees, 2, margin)};
+                           atPole ? 0 : snapped(angles.rollDegrees, 2, margin)};
     if (history != nullptr) history->snappedSteps = steps;
     return voxelAxesOf({degreesOf(steps.x), degreesOf(steps.y), degreesOf(steps.z)});
 }

@@ -84,7 +84,8 @@ IBox LiveOctree::solidBounds() const {
 OctreeView LiveOctree::view(const IBox& bounds) const {
     OctreeView view = wholeTree();
     view.size = bounds.empty() ? glm::ivec3(0) : bounds.size();
-    view.treeFromVoxel = bounds.min - origin_;
+    // An empty tree stands nowhere: it may be far from the bounds of other frames.
+    if (!node::isEmpty(pool_.node(0))) view.treeFromVoxel = bounds.min - origin_;
     return view;
 }
 
@@ -107,7 +108,7 @@ Status LiveOctree::apply(std::span<const Edit> edits) {
     if (pool_.nodes().size() + kMaxNodesAnEdit * edits.size() > maxNodes_) before = *this;
     for (const Edit& edit : edits) {
         if (!rootBox().contains(edit.voxel)) continue;
-        if (auto ok = makeRoom(); !ok) {
+        if (auto ok = makeRoom(kMaxNodesAnEdit); !ok) {
             *this = std::move(*before);
             dropNeedlessLevels();
             return ok;
@@ -118,11 +119,11 @@ Status LiveOctree::apply(std::span<const Edit> edits) {
     return {};
 }
 
-Status LiveOctree::makeRoom() {
-    if (pool_.nodes().size() + kMaxNodesAnEdit <= maxNodes_) return {};
+Status LiveOctree::makeRoom(std::size_t nodes) {
+    if (pool_.nodes().size() + nodes <= maxNodes_) return {};
     const glm::ivec3 size(1 << maxDepth_);
     if (auto ok = adopt(relayout(wholeTree(), glm::ivec3(0), size, origin_)); !ok) return ok;
-    if (pool_.nodes().size() + kMaxNodesAnEdit <= maxNodes_) return {};
+    if (pool_.nodes().size() + nodes <= maxNodes_) return {};
     return failTooManyNodes(maxNodes_);
 }
 
@@ -146,6 +147,7 @@ Status LiveOctree::reach(const IBox& box) {
         root.max = root.min + 2 * edge;
         corners[static_cast<std::size_t>(levels++)] = below;
     }
+    if (auto ok = makeRoom(static_cast<std::size_t>(levels)); !ok) return ok;
     for (int i = 0; i < levels; ++i) addLevel(corners[static_cast<std::size_t>(i)]);
     return {};
 }

@@ -57,8 +57,8 @@ class LiveOctree {
     // Takes the arrays over, if the limit allows.
     [[nodiscard]] Status adopt(Result<Octree> octree);
     void clear();
-    // Closes the holes if the array has no room left for one more edit.
-    [[nodiscard]] Status makeRoom();
+    // Closes the holes if the array has no room left for so many nodes more.
+    [[nodiscard]] Status makeRoom(std::size_t nodes);
 
     // Makes the root hold the box, all or nothing.
     [[nodiscard]] Status reach(const IBox& box);

@@ -101,6 +101,10 @@ std::optional<RayPicture> pictureOf(const OctreeView& octree, const glm::dvec3& 
     picture.inside = true;
     for (int a = 0; a < 3; ++a)
         if (eye[a] < picture.box.min[a] || eye[a] >= picture.box.max[a]) picture.inside = false;
+    // From inside, on a face between voxels, a ray that runs down along the axis by less than its
+    // numbers can say belongs to another voxel than those that do.
+    for (int a = 0; picture.inside && a < 3; ++a)
+        if (std::abs(eye[a] - std::round(eye[a])) <= raySlack(octree)) return std::nullopt;
     picture.box.min += octree.treeFromVoxel;
     picture.box.max += octree.treeFromVoxel;
     picture.middle = glm::dvec2(size - 1) / 2.0;

@@ -26,5 +26,6 @@ LatticeHit castLattice(ivec2 pixel) {
 
 uint voxelId(LatticeHit hit) {
     uvec3 v = uvec3(hit.voxel);
-    return 2u + v.x + svo_model_size.x * (v.y + svo_model_size.y * v.z);
+    uint id = 2u + v.x + svo_model_size.x * (v.y + svo_model_size.y * v.z);
+    return id < 2u ? id + 2u : id;
 }

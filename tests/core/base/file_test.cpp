@@ -68,6 +68,39 @@ TEST(File, WritesThroughALinkAndKeepsIt) {
     EXPECT_EQ(readTextFile(folder / "target").value(), "second");
 }
 
+TEST(File, WritesThroughALinkToWhatIsNotThereYet) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "below");
+    std::filesystem::create_symlink("below/second", folder / "first");
+    std::filesystem::create_symlink("target", folder / "below" / "second");
+    ASSERT_TRUE(writeFileAtomically(folder / "first", std::string("new")));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "first"));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "below" / "second"));
+    EXPECT_EQ(readTextFile(folder / "below" / "target").value(), "new");
+    EXPECT_EQ(entriesIn(folder / "below"), 2u);
+}
+
+// `voxprite ... -o /dev/stdout >> log`: others write to that file, too.
+TEST(File, ADescriptorOfTheProcessIsWrittenToEvenIfItIsOfAFile) {
+    const TemporaryFolder folder;
+    const int log = ::open((folder / "log").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+    ASSERT_GE(log, 0);
+    ASSERT_EQ(::write(log, "before,", 7), 7);
+    std::filesystem::create_symlink("/dev/fd/" + std::to_string(log), folder / "link");
+    ASSERT_TRUE(writeFileAtomically(folder / "link", std::string("between,")));
+    ASSERT_EQ(::write(log, "after", 5), 5);
+    ::close(log);
+    EXPECT_EQ(readTextFile(folder / "log").value(), "before,between,after");
+    EXPECT_EQ(entriesIn(folder.path()), 2u);
+}
+
+TEST(File, NamesMayBeAsLongAsTheFolderAllows) {
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder / std::string(255, 'n');
+    ASSERT_TRUE(writeFileAtomically(path, std::string("kept")));
+    EXPECT_EQ(readTextFile(path).value(), "kept");
+}
+
 TEST(File, WritesToAPipeWithoutReplacingIt) {
     const TemporaryFolder folder;
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);

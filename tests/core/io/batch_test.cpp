@@ -34,6 +34,13 @@ TEST(Batch, IsPlannedBeforeAnyWork) {
         same.error().describe(),
         "b/hut.qb: would be written to out/hut.svo, as would a/hut.vox; nothing was converted");
     EXPECT_FALSE(planBatch({"a/hut.vox", "a/hut.vox"}, "out", Format::svo));
+    // Layers of one stack, all of them, whichever came last.
+    EXPECT_EQ(
+        planBatch({"a/walk_000.vox", "a/walk_001.vox"}, "out", Format::png).error().describe(),
+        "a/walk_001.vox: would be written to out/walk_*.png, as would a/walk_000.vox; nothing "
+        "was converted");
+    EXPECT_TRUE(planBatch({"a/walk_000.vox", "a/run_001.vox", "a/8.vox"}, "out", Format::png));
+    EXPECT_TRUE(planBatch({"a/walk_000.vox", "a/walk_001.vox"}, "out", Format::svo));
     // Neither itself nor another input may be overwritten, by whatever name.
     EXPECT_THAT(planBatch({"a/hut.vox"}, "a/../a", Format::vox).error().describe(),
                 HasSubstr("is an input"));

@@ -33,6 +33,15 @@ TEST(PaletteFiles, AGimpPaletteAsProgramsWriteIt) {
                                     named(9, 8, 7, "two words")}));
 }
 
+TEST(PaletteFiles, AGimpPaletteWithAlphaAsAsepriteWritesIt) {
+    const auto colours =
+        readGimpPalette("GIMP Palette\nChannels: RGBA\n#\n255 0 0 128 red wine\n1 2 3 255\n");
+    ASSERT_TRUE(colours) << whyNot(colours);
+    EXPECT_EQ(*colours, (ColourList{named(255, 0, 0, "red wine"), named(1, 2, 3)}));
+    EXPECT_NE(whyNot(readGimpPalette("GIMP Palette\nChannels: RGBA\n1 2 3 red")).find("line 3"),
+              std::string::npos);
+}
+
 TEST(PaletteFiles, AJascPaletteAsProgramsWriteIt) {
     const auto colours = readJascPalette("JASC-PAL\r\n0100\r\n3\r\n255 0 0\r\n1 2 3 255\r\n9 8 7");
     ASSERT_TRUE(colours) << whyNot(colours);

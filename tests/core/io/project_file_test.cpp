@@ -264,19 +264,24 @@ TEST(ProjectFile, OtherFilesAreRefused) {
     expectError(writeZip({{"readme.txt", bytesOfText("hello")}}).value(), "project.json");
 }
 
+Result<VoxelGrid> payloadOf(ByteView bytes) {
+    GridBudget budget(bytes.size());
+    return readVoxelPayload(bytes, budget);
+}
+
 TEST(VoxelPayload, RefusesWhatItCannotHold) {
     VoxelGrid grid;
     grid.set({1, 2, 3}, 9);
     const Bytes good = writeVoxelPayload(grid).value();
     ASSERT_EQ(good.size(), 8u + 14u + 512u);
-    EXPECT_EQ(readVoxelPayload(good).value(), grid);
+    EXPECT_EQ(payloadOf(good).value(), grid);
     for (std::size_t length = 0; length < good.size(); ++length) {
-        EXPECT_FALSE(readVoxelPayload(ByteView(good).first(length))) << length;
+        EXPECT_FALSE(payloadOf(ByteView(good).first(length))) << length;
     }
     const auto changed = [&](std::size_t at, std::uint8_t value) {
         Bytes bytes = good;
         bytes[at] = value;
-        return readVoxelPayload(bytes);
+        return payloadOf(bytes);
     };
     for (std::size_t at = 0; at < good.size(); ++at) {
         for (const int mask : {0x01, 0x80, 0xFF}) {
@@ -293,7 +298,23 @@ TEST(VoxelPayload, RefusesWhatItCannotHold) {
     EXPECT_FALSE(changed(21, 1));     // uniform, but values follow
     Bytes longer = good;
     longer.push_back(0);
-    EXPECT_FALSE(readVoxelPayload(longer));
+    EXPECT_FALSE(payloadOf(longer));
+}
+
+// A block of one value takes 14 bytes of the file, and the node above it 9,000 of memory.
+TEST(VoxelPayload, BlocksOfOneValueArePaidFor) {
+    GridBudget budget(0);
+    while (budget.has(40)) (void)budget.takeOne();
+    const auto withCubes = [](int count) {
+        VoxelGrid grid;
+        for (int k = 0; k < count; ++k) grid.fill({{512 * k, 0, 0}, {512 * k + 8, 8, 8}}, 1);
+        return writeVoxelPayload(grid).value();
+    };
+    GridBudget forTwo = budget;
+    EXPECT_TRUE(readVoxelPayload(withCubes(2), forTwo));
+    const Result<VoxelGrid> three = readVoxelPayload(withCubes(3), budget);
+    ASSERT_FALSE(three);
+    EXPECT_EQ(three.error().message, GridBudget::refusal());
 }
 
 TEST(VoxelPayload, UniformBlocksHaveOneFormHoweverTheyWereMade) {

@@ -173,6 +173,7 @@ TEST(VoxCorpus, AnimationsAreRead) {
     EXPECT_EQ(node.placements[1].frame, 9);
     EXPECT_EQ(node.placements[1].placement.translation, glm::ivec3(-29, 31, 20));
     EXPECT_TRUE(node.loopPlacements);
+    EXPECT_EQ(placementAt(node, 3).translation, glm::ivec3(-1, -9, 20));  // a third of the way
     EXPECT_EQ(frameCount(moving), 31);
     const Document ranged = documentOf(named("test_meta_chunk.vox"));
     EXPECT_EQ(ranged.nodes.at(1).attributes.at("_frm_t"), "29 0 20");

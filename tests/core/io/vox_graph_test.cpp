@@ -120,6 +120,7 @@ TEST(VoxGraph, KeyframesOfTransformsAndModels) {
     EXPECT_EQ(node.placements[1].frame, 9);
     EXPECT_EQ(node.placements[1].placement.translation.x, 9);
     EXPECT_TRUE(node.loopPlacements);
+    EXPECT_TRUE(node.glides);
     EXPECT_THAT(node.models, ElementsAre(ModelKey{0, 1}, ModelKey{4, 0}));
     EXPECT_TRUE(node.loopModels);
 }

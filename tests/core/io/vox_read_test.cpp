@@ -172,6 +172,15 @@ TEST(VoxRead, ImapOrdersTheDisplayOnly) {
     EXPECT_EQ(document.palette.displayOrder[255], 1);
 }
 
+TEST(VoxRead, TheEmptyColourMayStandAnywhereInTheDisplayOrder) {
+    Bytes map;
+    for (int k = 0; k < 256; ++k) map.push_back(static_cast<std::uint8_t>(k));
+    VoxBuilder builder = tinyModel();
+    builder.chunk("IMAP", map);
+    EXPECT_EQ(read(builder).palette.displayOrder, Palette::identityOrder());
+    EXPECT_TRUE(warningsOf(builder).empty());
+}
+
 TEST(VoxRead, ADisplayOrderThatIsNoPermutationIsLeftOut) {
     VoxBuilder builder = tinyModel();
     builder.chunk("IMAP", Bytes(256, 9));
@@ -325,6 +334,26 @@ TEST(VoxRead, WhatFollowsTheLastChunkIsNoHarm) {
     const Result<VoxImport> import = readVox(bytes);
     ASSERT_TRUE(import);
     EXPECT_THAT(import->warnings, ElementsAre("1 bytes follow after the last chunk"));
+}
+
+// Writers that leave MAIN's length at 0, or do not bring it up to date.
+TEST(VoxRead, ChunksAfterTheEndOfMainAreRead) {
+    const Bytes whole = tinyModel().bytes();
+    const Document document = read(tinyModel());
+    for (const int length : {0, 24}) {  // before SIZE, before XYZI
+        Bytes bytes = whole;
+        bytes[16] = static_cast<std::uint8_t>(length);
+        const Result<VoxImport> import = readVox(bytes);
+        ASSERT_TRUE(import) << import.error().describe();
+        EXPECT_EQ(import->document, document);
+        EXPECT_THAT(import->warnings, ElementsAre(HasSubstr("chunks go on after them")));
+    }
+}
+
+TEST(VoxRead, AnEdgeOfNoVoxelsHasRoomForOne) {
+    const Document document = read(VoxBuilder().model({0, 2, 2}, {{0, 1, 0, 5}}));
+    EXPECT_EQ(document.models[0].canvas.size(), glm::ivec3(1, 2, 2));
+    EXPECT_EQ(document.models[0].voxels.solidCount(), 1u);
 }
 
 // Single voxels take whole blocks of the grid: many models of a few are refused before they fill

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <set>
 
+#include "core/io/formats.h"
 #include "core/io/vox.h"
 #include "core/model/entity_voxels.h"
 #include "tests/support/random.h"
@@ -16,6 +17,7 @@
 namespace voxprite {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 Bytes written(const Document& document) {
@@ -62,6 +64,10 @@ Document everything() {
         model.canvas = canvasOf(2 * half + 1);
     }
     document.models.emplace_back().canvas = canvasOf({256, 1, 2});
+    for (SceneNode& node : document.nodes) {
+        node.glides = true;
+        node.glides = movesBetweenKeys(node);
+    }
     document.nodes[0].attributes = {{"_own", "1"}, {"group/_own", "2"}, {"shape/_own", "3"}};
     document.cameras = {{0, {{"_mode", "pers"}}}, {3, {}}};
     document.renderSettings = {{0, {{"_type", "_env"}}}, {0, {{"_type", "_ground"}}}};
@@ -160,6 +166,52 @@ TEST(VoxWrite, AModelLargerThan256IsSplitUnderAGroup) {
     EXPECT_TRUE(again.nodes[1].isGroup());
     EXPECT_EQ(again.nodes[1].children.size(), 64u);  // -400..400 is four tiles of 256 on each axis
     expectSameFrames(again, document);
+}
+
+// What MagicaVoxel would let glide is held still by keys of its own.
+TEST(VoxWrite, WhatHoldsStillUntilItJumpsStillDoes) {
+    for (const bool glides : {false, true}) {
+        Document document = test::documentOf(test::asymmetric());
+        document.nodes[1].placements = {{0, {{}, {0, 0, 0}}},
+                                        {4, {{}, {40, 0, 0}}},
+                                        {5, {{}, {41, 0, 0}}},
+                                        {9, {{}, {41, 0, 0}}}};
+        document.nodes[1].glides = glides;
+        const Document again = readBack(document);
+        EXPECT_EQ(again.nodes[1].glides, glides);
+        EXPECT_EQ(again.nodes[1].placements.size(), glides ? 4u : 5u);
+        expectSameFrames(again, document);
+    }
+}
+
+TEST(VoxWrite, AModelThatFitsStaysOneObjectWhereverItGrew) {
+    const SignedPermutation turned = *SignedPermutation::fromVoxByte(41);
+    for (const bool glides : {false, true}) {
+        Document document = test::documentOf({});
+        document.models[0].voxels.fill({{0, 0, -104}, {48, 48, 136}}, 7);
+        document.models[0].voxels.set({47, 3, 135}, 1);
+        document.nodes[1].name = "tower";
+        document.nodes[1].placements = {{0, {turned, {3, 5, 7}}}, {3, {turned, {9, -5, 7}}}};
+        document.nodes[1].glides = glides;
+        const Document again = readBack(document);
+        ASSERT_EQ(again.nodes.size(), 2u);
+        EXPECT_EQ(again.nodes[1].name, "tower");
+        EXPECT_EQ(again.models.size(), 1u);
+        EXPECT_EQ(again.models[0].canvas.size(), glm::ivec3(48, 48, 240));
+        expectSameFrames(again, document);
+        // A turn about another pivot glides along another way: an object below keeps the pivot.
+        document.nodes[1].placements[1].placement.rotation = {};
+        expectSameFrames(readBack(document), document);
+    }
+}
+
+TEST(VoxWrite, ThatAModelIsCutIsSaid) {
+    Document document = test::documentOf({});
+    document.models[0].voxels.fill({{-10, 0, 1000}, {246, 1, 1001}}, 1);
+    EXPECT_TRUE(lossesOf(document, Format::vox).empty());
+    document.models[0].voxels.set({246, 0, 1000}, 1);
+    EXPECT_THAT(lossesOf(document, Format::vox),
+                ElementsAre(HasSubstr("1 model is written in pieces")));
 }
 
 TEST(VoxWrite, AModelFarFromItsOriginIsMovedThere) {

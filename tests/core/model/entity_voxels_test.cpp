@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 #include "tests/support/random.h"
@@ -15,21 +16,41 @@ using test::VoxelMap;
 
 // The entity's frame once more, by plain recursion and one voxel after the other.
 VoxelMap plainFlatten(const Document& document, int frame) {
+    const auto inTrack = [&](const auto& keys, bool loop) {
+        int f = frame;
+        while (loop && f > keys.back().frame) f -= keys.back().frame - keys.front().frame + 1;
+        while (loop && f < keys.front().frame) f += keys.back().frame - keys.front().frame + 1;
+        return f;
+    };
     const auto keyAt = [&](const auto& keys, bool loop) {
-        const int f = loop ? frame % (keys.back().frame + 1) : frame;
         auto current = keys.front();
         for (const auto& key : keys) {
-            if (key.frame <= f) current = key;
+            if (key.frame <= inTrack(keys, loop)) current = key;
         }
         return current;
+    };
+    const auto placementOf = [&](const SceneNode& node) {
+        const int f = inTrack(node.placements, node.loopPlacements);
+        Placement placement = keyAt(node.placements, node.loopPlacements).placement;
+        for (std::size_t k = 0; node.glides && k + 1 < node.placements.size(); ++k) {
+            const PlacementKey& key = node.placements[k];
+            const PlacementKey& next = node.placements[k + 1];
+            if (f < key.frame || f >= next.frame) continue;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double way =
+                    next.placement.translation[axis] - key.placement.translation[axis];
+                placement.translation[axis] +=
+                    static_cast<int>(std::floor(way * (f - key.frame) / (next.frame - key.frame)));
+            }
+        }
+        return placement;
     };
     VoxelMap map;
     const std::function<void(int, Placement)> draw = [&](int index, Placement entityFromParent) {
         const SceneNode& node = document.nodes[static_cast<std::size_t>(index)];
         if (node.hidden) return;
         if (node.layer >= 0 && document.layers[static_cast<std::size_t>(node.layer)].hidden) return;
-        const Placement entityFromNode =
-            entityFromParent * keyAt(node.placements, node.loopPlacements).placement;
+        const Placement entityFromNode = entityFromParent * placementOf(node);
         if (!node.models.empty()) {
             const int model = keyAt(node.models, node.loopModels).model;
             for (const auto& [p, value] :
@@ -142,9 +163,39 @@ TEST(EntityVoxels, TracksHoldTheirKeysAndLoop) {
     };
     EXPECT_EQ(played(), (std::vector<int>{0, 0, 1, 1, 2, 2, 2, 2, 2, 2}));
     node.loopModels = true;
-    EXPECT_EQ(played(), (std::vector<int>{0, 0, 1, 1, 2, 0, 0, 1, 1, 2}));
+    // From the first key to the last, before the first as well.
+    EXPECT_EQ(played(), (std::vector<int>{2, 0, 1, 1, 2, 0, 1, 1, 2, 0}));
     node.models = {{0, 1}};
     EXPECT_EQ(played(), std::vector<int>(10, 1));
+}
+
+TEST(EntityVoxels, AnObjectGlidesFromKeyToKeyAndTurnsAtThem) {
+    SceneNode node;
+    SignedPermutation turned;
+    turned.sign = {-1, -1, 1};
+    node.placements = {{1, {{}, {10, -1, 0}}}, {5, {turned, {0, 2, 0}}}, {6, {{}, {9, 9, 9}}}};
+    node.glides = true;
+    const auto placeAt = [&](int frame) { return placementAt(node, frame).translation; };
+    EXPECT_EQ(placeAt(0), glm::ivec3(10, -1, 0));
+    EXPECT_EQ(placeAt(1), glm::ivec3(10, -1, 0));
+    EXPECT_EQ(placeAt(2), glm::ivec3(7, -1, 0));  // 7.5, -0.25: rounded down
+    EXPECT_EQ(placeAt(3), glm::ivec3(5, 0, 0));
+    EXPECT_EQ(placeAt(4), glm::ivec3(2, 1, 0));
+    EXPECT_EQ(placementAt(node, 4).rotation, SignedPermutation{});
+    EXPECT_EQ(placementAt(node, 5), (Placement{turned, {0, 2, 0}}));
+    EXPECT_EQ(placeAt(6), glm::ivec3(9, 9, 9));
+    EXPECT_EQ(placeAt(60), glm::ivec3(9, 9, 9));
+    EXPECT_TRUE(movesBetweenKeys(node));
+    // Wherever it takes place, a motion is the same.
+    std::vector<glm::ivec3> places;
+    for (int frame = 0; frame < 8; ++frame) places.push_back(placeAt(frame));
+    for (PlacementKey& key : node.placements) key.placement.translation -= glm::ivec3(20, 5, 3);
+    for (int frame = 0; frame < 8; ++frame) {
+        EXPECT_EQ(placeAt(frame), places[static_cast<std::size_t>(frame)] - glm::ivec3(20, 5, 3));
+    }
+    node.placements[1].frame = 2;
+    node.placements[2].frame = 3;
+    EXPECT_FALSE(movesBetweenKeys(node));
 }
 
 // Random tracks, so that every combination of periods is met: no frame's voxels may leave the
@@ -163,13 +214,16 @@ TEST(EntityVoxels, BoundsAreThoseOfAllFrames) {
                 frame += random.between(1, 4);
             }
             node.loopPlacements = random.chance(0.7);
+            node.glides = random.chance(0.5);
         }
         document.nodes[1].models = {{random.between(0, 2), 0}, {random.between(3, 6), 1}};
         document.nodes[1].loopModels = random.chance(0.7);
         ASSERT_TRUE(validate(document));
         IBox all;
         for (int frame = 0; frame < frameCount(document); ++frame) {
-            all = all.united(boundsOf(plainFlatten(document, frame)));
+            const VoxelMap seen = plainFlatten(document, frame);
+            ASSERT_EQ(mapOf(flatten(document, frame)), seen) << round << ", frame " << frame;
+            all = all.united(boundsOf(seen));
         }
         ASSERT_EQ(entityBounds(document), all) << round;
     }

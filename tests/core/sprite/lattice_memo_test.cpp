@@ -148,6 +148,18 @@ TEST(LitPalettes, KeepsWhatIsUsedAndForgetsTheRest) {
     EXPECT_LE(palettes.kept(), 100 + LitPalettes::kSpare + 50);
 }
 
+// Palettes that nobody lights, such as those of clusters, are forgotten like those that are lit.
+TEST(LitPalettes, ForgetsPalettesThatNobodyLights) {
+    LitPalettes palettes;
+    Palette palette = Palette::standard();
+    for (int frame = 0; frame < 3000; ++frame) {
+        palettes.beginFrame();
+        palette.colours[1] = {frame & 255, frame >> 8, 7, 255};
+        static_cast<void>(palettes.contentOf(palette));
+        ASSERT_LE(palettes.kept(), LitPalettes::kSpare + 3);
+    }
+}
+
 // However many there are, a number stands for one palette.
 TEST(LitPalettes, NumbersAreNeverGivenTwice) {
     LitPalettes palettes;

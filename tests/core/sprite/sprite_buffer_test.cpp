@@ -32,6 +32,16 @@ SpriteView viewOf(const Subject& subject, const OrbitAngles& angles, double sigm
     return mustView(subject.centredAt(glm::dvec3(0.0), profile), camera, profile);
 }
 
+// Ids are 32 bits, voxels of the largest models more; none may become "nothing" or "outline".
+TEST(SpriteBuffer, NoVoxelHasTheNumberOfNothingOrOfTheOutline) {
+    const glm::ivec3 size(1 << 16, 1 << 16, 2);
+    EXPECT_EQ(voxelId({0, 0, 0}, size), kIdFirstVoxel);
+    EXPECT_EQ(voxelId({(1 << 16) - 3, (1 << 16) - 1, 0}, size), 0xFFFF'FFFFu);
+    EXPECT_EQ(voxelId({(1 << 16) - 2, (1 << 16) - 1, 0}, size), kIdFirstVoxel);
+    EXPECT_EQ(voxelId({(1 << 16) - 1, (1 << 16) - 1, 0}, size), kIdFirstVoxel + 1);
+    EXPECT_EQ(voxelId({0, 0, 1}, size), kIdFirstVoxel);
+}
+
 SpriteBuffer castFrom(const Subject& subject, const OrbitAngles& angles, double sigma,
                       ViewRule rule = ViewRule::cameraForward) {
     return castSprite(subject.octree.view(), viewOf(subject, angles, sigma, rule).lattice,

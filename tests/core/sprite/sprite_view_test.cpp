@@ -290,6 +290,20 @@ TEST(ViewSprite, RefusesNumbersThatAreNone) {
     GameProfile dense;
     dense.sigma = 64.0;
     EXPECT_TRUE(viewSprite(large, camera, dense));  // minified
+    // So close that a virtual pixel covers several of the screen: coarser rather than none.
+    Camera close = camera;
+    close.verticalFovDegrees = 1.0;
+    close.viewportPx = glm::ivec2(4096);
+    const auto coarser = viewSprite(large, close, dense);
+    ASSERT_TRUE(coarser && coarser->view);
+    EXPECT_LT(coarser->view->sigmaInForce, 64.0);
+    EXPECT_GT(coarser->view->screenPxPerPx, 2.0);
+    GameProfile same = dense;
+    same.sigma = coarser->view->sigmaInForce;
+    same.minification = false;
+    EXPECT_EQ(viewSprite(large, close, same).value().view->lattice, coarser->view->lattice);
+    same.sigma *= 2.0;
+    EXPECT_FALSE(viewSprite(large, close, same));
     dense.minification = false;
     const auto refused = viewSprite(large, camera, dense);
     ASSERT_FALSE(refused.has_value());

@@ -208,6 +208,22 @@ TEST(SlowTurn, WhatIsShownIsTheVeryViewOfItsAngles) {
     }
 }
 
+// Yaw and roll are one turn there: a roll that is remembered would come on top.
+TEST(ViewStep, FromThePoleThereIsNoRoll) {
+    for (const double step : {2.5, 15.0}) {
+        for (const double pitch : {-90.0, 90.0}) {
+            for (const int roll : {-1, 0, 1}) {
+                ViewHistory history;
+                const auto steps = static_cast<int>(std::lround(pitch / step));
+                history.snappedSteps = glm::ivec3(0, steps, roll);
+                const glm::dmat3 snapped = snapAxes(axesOf({0.0, pitch, 0.0}), step, &history);
+                EXPECT_EQ(history.snappedSteps, glm::ivec3(0, steps, 0));
+                EXPECT_LT(glm::distance(snapped[0], axesOf({0.0, pitch, 0.0})[0]), 1e-12);
+            }
+        }
+    }
+}
+
 // Steps that do not divide 45 degrees are brought to one that does: axes and diagonals are always
 // among the views shown, and the circle has no seam.
 TEST(ViewStep, AxesAndDiagonalsAreAmongTheViews) {

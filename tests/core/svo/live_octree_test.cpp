@@ -403,5 +403,37 @@ TEST(LiveOctree, TooManyNodesIsRefusedAndNothingApplied) {
     expectIsBakeOf(live, voxels);
 }
 
+// Levels above the root are nodes, too: a full array has no room for them.
+TEST(LiveOctree, GrowingAFullTreeIsRefusedAndNothingApplied) {
+    VoxelGrid voxels;
+    for (int k = 0; k < 40; ++k) voxels.set({3 * k, 5 * k % 64, 7 * k % 64}, 1);
+    VoxelGrid grown = voxels;
+    const Edit far{{-1000, -1000, -1000}, 2};
+    grown.set(far.voxel, far.material);
+    const auto nodesOf = [](const VoxelGrid& grid) {
+        return static_cast<std::uint32_t>(bake(grid).value().nodes.size());
+    };
+    std::size_t refused = 0, applied = 0;
+    for (std::uint32_t limit = nodesOf(voxels); limit < nodesOf(grown) + 200; ++limit) {
+        LiveOctree live(limit);
+        ASSERT_TRUE(live.rebuild(voxels));
+        const bool done = live.apply(std::span(&far, 1)).has_value();
+        ++(done ? applied : refused);
+        expectIsBakeOf(live, done ? grown : voxels);
+        if (HasFailure()) FAIL() << limit << " nodes";
+    }
+    EXPECT_GT(refused, 5u);
+    EXPECT_GT(applied, 5u);
+}
+
+// The bounds of all frames may lie anywhere; an empty frame has nothing to place in them.
+TEST(LiveOctree, AnEmptyTreeFarFromTheBoundsIsStillAView) {
+    LiveOctree live;
+    ASSERT_TRUE(live.rebuild(VoxelGrid{}));
+    const OctreeView view = live.view({{1 << 20, 0, 0}, {(1 << 20) + 8, 8, 8}});
+    EXPECT_EQ(view.size, glm::ivec3(8));
+    EXPECT_EQ(view.treeFromVoxel, glm::ivec3(0));
+}
+
 }  // namespace
 }  // namespace voxprite

@@ -150,6 +150,24 @@ TEST_F(RayPackets, FromInside) {
     EXPECT_GT(solid_, inside_ + 10'000);
 }
 
+// A ray's numbers may say that it does not run along an axis at all, though it does, downward: in
+// the face where it starts that is another voxel.
+TEST_F(RayPackets, FromAFaceInsideAlmostAlongIt) {
+    const NaiveOctree tree(solid({2, 2, 2}, 9));
+    for (const double sideways : {-2.2e-16, -1e-9, 0.0, 1e-9}) {
+        for (const glm::dvec3 eye : {glm::dvec3(1, 1, 1.5623), glm::dvec3(1, 0.3, 0.7)}) {
+            std::vector<Ray> rays;
+            for (int j = 0; j < 4; ++j)
+                for (int i = 0; i < 4; ++i)
+                    rays.push_back({eye, {sideways + i * 0.01, j * 0.01, -1.0}});
+            expectScalar(tree.view(), rays, {4, 4}, kMaxOctreeDepth, "almost along a face");
+            const EyePicture picture{eye, {sideways, 0, -1}, {0.01, 0, 0}, {0, 0.01, 0}};
+            expectScalar(tree.view(), picture, {0, 0}, {4, 4}, kMaxOctreeDepth, "of a picture");
+            if (HasFatalFailure()) return;
+        }
+    }
+}
+
 TEST_F(RayPackets, CutTreesAndLiveOctrees) {
     std::mt19937 random(3);
     const DenseModel model = randomVoxels({20, 12, 17}, 0.1, 6);

@@ -12,6 +12,9 @@ VOXPRITE_FUZZ_TARGET(bytes) {
     const Result<std::vector<SvoFile>> again = readSvoSet(*written);
     require(again.has_value() && *again == *read);
     for (const SvoFile& entity : *read) {
-        if (entity.models.size() <= 16) requireValid(documentFromSvo(entity));
+        if (entity.models.size() > 16) continue;
+        // Valid but for what lies at the edge of the coordinates (loadDocument refuses that).
+        const Status valid = validate(documentFromSvo(entity));
+        require(valid || valid.error().message.find("reach beyond") != std::string::npos);
     }
 }
