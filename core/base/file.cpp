@@ -163,6 +163,11 @@ Status writeFileAtomically(const std::filesystem::path& requested, ByteView byte
     }
     const auto [path, descriptor] = destinationOf(requested);
     if (descriptor) return writeToStream(FileDescriptor(::dup(*descriptor)), requested, bytes);
+    // The folder alone decides whether a file can be replaced; who made it read-only meant the
+    // file.
+    if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0 && errno != ENOENT) {
+        return systemFailure(path, "cannot be written");
+    }
     const std::filesystem::path folder = folderOf(path);
     // Names may have 255 bytes: room for what is added.
     constexpr std::size_t kKept = 200;

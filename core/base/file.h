@@ -1,6 +1,7 @@
 // Whole files in, whole files out. Writing is atomic: a temporary file in the same folder, fsync,
-// rename, fsync of the folder; a failure leaves the old file as it was and no temporary behind. To
-// a device or a pipe (/dev/stdout) the bytes are simply written.
+// rename, fsync of the folder; a failure leaves the old file as it was and no temporary behind. A
+// file that is read-only is not replaced. To a device or a pipe (/dev/stdout) the bytes are simply
+// written.
 #pragma once
 
 #include <cstdint>

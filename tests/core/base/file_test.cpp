@@ -127,6 +127,25 @@ TEST(File, AMissingFolderIsAnErrorThatNamesTheFile) {
     EXPECT_EQ(entriesIn(folder.path()), 0u);
 }
 
+// Root may write to everything; so the test is somebody else for a moment.
+TEST(File, AFileThatIsReadOnlyIsNotReplaced) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writeFileAtomically(folder / "a", std::string("first")));
+    const bool isRoot = ::geteuid() == 0;
+    constexpr uid_t kNobody = 65534;
+    ASSERT_EQ(::chmod(folder.path().c_str(), 0777), 0);
+    ASSERT_EQ(::chmod((folder / "a").c_str(), 0444), 0);
+    if (isRoot) ASSERT_EQ(::seteuid(kNobody), 0);
+    const Status refused = writeFileAtomically(folder / "a", std::string("second"));
+    const Status beside = writeFileAtomically(folder / "b", std::string("new"));
+    if (isRoot) ASSERT_EQ(::seteuid(0), 0);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("Permission denied"), std::string::npos);
+    EXPECT_TRUE(beside);
+    EXPECT_EQ(readTextFile(folder / "a").value(), "first");
+    EXPECT_EQ(entriesIn(folder.path()), 2u);
+}
+
 TEST(File, AFailedReplacementLeavesAllAsItWas) {
     const TemporaryFolder folder;
     // A folder that is not empty cannot be replaced by a file, not even by the administrator.
