@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <utility>
 
@@ -70,12 +71,57 @@ Result<std::vector<Palette>> palettesOf(const Palette& palette, const SheetOptio
     return palettes;
 }
 
+// Of one sprite, all of one size.
+using Pictures = std::vector<Image>;
+using SharedPictures = std::shared_ptr<const Pictures>;
+
 // A sprite before it has its place: its pictures, cut, and where they lie about the anchor.
 struct Cut {
     SheetSprite sprite;    // sockets and anchor from the anchor's pixel
     glm::ivec2 corner{0};  // of the pictures, from the anchor's pixel
-    std::vector<Image> pictures;
+    SharedPictures pictures;
 };
+
+std::string contentOf(const Pictures& pictures) {
+    const Image& first = pictures.front();
+    std::string content = std::to_string(first.width) + "," + std::to_string(first.height);
+    for (const Image& picture : pictures) content += " " + sha256Hex(asBytes(picture.pixels));
+    return content;
+}
+
+// Keeps what several sprites show once, on any thread, and knows when there is more of it than a
+// sheet has room for: it is not to take all memory first.
+class DistinctPictures {
+  public:
+    explicit DistinctPictures(int largestEdgePx)
+        : room_(static_cast<std::int64_t>(largestEdgePx) * largestEdgePx) {}
+
+    SharedPictures keep(Pictures pictures) {
+        std::string content = contentOf(pictures);
+        const std::scoped_lock lock(mutex_);
+        SharedPictures& kept = known_[std::move(content)];
+        if (kept == nullptr) {
+            kept = std::make_shared<const Pictures>(std::move(pictures));
+            area_ += static_cast<std::int64_t>(kept->front().width) * kept->front().height;
+        }
+        return kept;
+    }
+    [[nodiscard]] bool fit() const {
+        const std::scoped_lock lock(mutex_);
+        return area_ <= room_;
+    }
+
+  private:
+    mutable std::mutex mutex_;
+    std::map<std::string, SharedPictures> known_;
+    std::int64_t area_ = 0;
+    std::int64_t room_;
+};
+
+Failure tooLarge(std::size_t sprites, int largestEdgePx) {
+    const std::string edge = std::to_string(largestEdgePx);
+    return fail(std::to_string(sprites) + " sprites do not fit a picture of " + edge + "x" + edge);
+}
 
 // The smallest rectangle around what is not empty: left, top, and the size.
 struct Rectangle {
@@ -121,8 +167,8 @@ struct Maker {
 
     [[nodiscard]] double rangeMetres() const { return placed.radiusMetres(); }
     [[nodiscard]] Result<SpriteView> viewFrom(double yaw, double pitch) const;
-    [[nodiscard]] Result<Cut> cut(const OctreeView& octree, double yaw, double pitch,
-                                  int frame) const;
+    [[nodiscard]] Result<Cut> cut(const OctreeView& octree, double yaw, double pitch, int frame,
+                                  DistinctPictures& distinct) const;
 };
 
 Result<SpriteView> Maker::viewFrom(double yaw, double pitch) const {
@@ -137,24 +183,27 @@ Result<SpriteView> Maker::viewFrom(double yaw, double pitch) const {
     return *seen->view;
 }
 
-Result<Cut> Maker::cut(const OctreeView& octree, double yaw, double pitch, int frame) const {
+Result<Cut> Maker::cut(const OctreeView& octree, double yaw, double pitch, int frame,
+                       DistinctPictures& distinct) const {
     const Result<SpriteView> view = viewFrom(yaw, pitch);
     if (!view) return Failure(view.error());
     const LatticeView& lattice = view->lattice;
-    Cut cut;
+    Pictures pictures;
     Rectangle part;
     SpriteBuffer buffer;
     for (const Palette& palette : palettes) {
         buffer = castSprite(octree, lattice,
                             litPalette(palette, view->light8, profile.outline, profile.shading), 1);
         part = occupied(buffer);
-        cut.pictures.push_back(cutOut(buffer.image(), part));
+        pictures.push_back(cutOut(buffer.image(), part));
     }
-    if (options.normals) cut.pictures.push_back(cutOut(normalsOf(buffer, *view, octree), part));
+    if (options.normals) pictures.push_back(cutOut(normalsOf(buffer, *view, octree), part));
     if (options.depths) {
-        cut.pictures.push_back(cutOut(depthsOf(buffer, *view, octree, rangeMetres()), part));
+        pictures.push_back(cutOut(depthsOf(buffer, *view, octree, rangeMetres()), part));
     }
-    if (options.indices) cut.pictures.push_back(cutOut(indicesOf(buffer, *view, octree), part));
+    if (options.indices) pictures.push_back(cutOut(indicesOf(buffer, *view, octree), part));
+    Cut cut;
+    cut.pictures = distinct.keep(std::move(pictures));
 
     const glm::dvec2 anchor = locateInSprite(lattice, octree, placed.anchor).px;
     // An anchor on a corner of the lattice (that of an even model) must not fall to one side here
@@ -183,12 +232,16 @@ void placeInCell(std::vector<Cut>& cuts, Sheet& sheet) {
         low = glm::min(low, cut.corner);
         high = glm::max(high, cut.corner + cut.sprite.size);
     }
+    SharedPictures nothing;
     for (Cut& cut : cuts) {
         cut.sprite.anchorPx -= glm::dvec2(low);
         for (SheetSocket& socket : cut.sprite.sockets) socket.px -= glm::dvec2(low);
         if (cut.sprite.size.x == 0) {  // nothing to see: one transparent pixel
             cut.sprite.size = {1, 1};
-            for (Image& picture : cut.pictures) picture = Image(1, 1);
+            if (nothing == nullptr) {
+                nothing = std::make_shared<const Pictures>(cut.pictures->size(), Image(1, 1));
+            }
+            cut.pictures = nothing;
             continue;
         }
         cut.sprite.inCell = cut.corner - low;
@@ -197,33 +250,34 @@ void placeInCell(std::vector<Cut>& cuts, Sheet& sheet) {
     sheet.anchorPixel = -low;
 }
 
-void widenToCell(Cut& cut, glm::ivec2 cellPx) {
-    for (Image& picture : cut.pictures) {
-        Image cell(cellPx.x, cellPx.y);
-        paste(picture, cell, cut.sprite.inCell);
-        picture = std::move(cell);
+Pictures widened(const Pictures& pictures, glm::ivec2 corner, glm::ivec2 cellPx) {
+    Pictures cells;
+    for (const Image& picture : pictures) {
+        cells.emplace_back(cellPx.x, cellPx.y);
+        paste(picture, cells.back(), corner);
     }
-    cut.sprite.inCell = {0, 0};
-    cut.sprite.size = cellPx;
+    return cells;
 }
 
-std::string contentOf(const Cut& cut) {
-    std::string content =
-        std::to_string(cut.sprite.size.x) + "," + std::to_string(cut.sprite.size.y);
-    for (const Image& picture : cut.pictures) {
-        content += " " + sha256Hex(asBytes(picture.pixels));
+Status widenToCells(std::vector<Cut>& cuts, glm::ivec2 cellPx, int largestEdgePx) {
+    DistinctPictures distinct(largestEdgePx);
+    for (Cut& cut : cuts) {
+        cut.pictures = distinct.keep(widened(*cut.pictures, cut.sprite.inCell, cellPx));
+        cut.sprite.inCell = {0, 0};
+        cut.sprite.size = cellPx;
+        if (!distinct.fit()) return tooLarge(cuts.size(), largestEdgePx);
     }
-    return content;
+    return {};
 }
 
 Status pack(std::vector<Cut>& cuts, const SheetOptions& options,
             const std::vector<std::string>& pictures, Sheet& sheet) {
-    std::map<std::string, std::size_t> places;  // equal sprites have one
+    std::map<SharedPictures, std::size_t> places;  // equal sprites have one
     std::vector<std::size_t> placeOf;
     std::vector<const Cut*> distinct;
     std::vector<glm::ivec2> sizes;
     for (const Cut& cut : cuts) {
-        const auto [place, added] = places.try_emplace(contentOf(cut), distinct.size());
+        const auto [place, added] = places.try_emplace(cut.pictures, distinct.size());
         placeOf.push_back(place->second);
         if (!added) continue;
         distinct.push_back(&cut);
@@ -234,7 +288,7 @@ Status pack(std::vector<Cut>& cuts, const SheetOptions& options,
     for (std::size_t p = 0; p < pictures.size(); ++p) {
         Image image(packing->size.x, packing->size.y);
         for (std::size_t k = 0; k < distinct.size(); ++k) {
-            paste(distinct[k]->pictures[p], image, packing->corners[k]);
+            paste((*distinct[k]->pictures)[p], image, packing->corners[k]);
         }
         sheet.pictures.push_back({pictures[p], std::move(image)});
     }
@@ -284,6 +338,7 @@ Result<Sheet> makeSheet(const Document& document, const GameProfile& profile,
     maker.placed = placeEntity(document.entity, maker.bounds, maker.profile);
     if (Status valid = validate(maker.placed); !valid) return Failure(valid.error());
 
+    DistinctPictures distinct(options.largestEdgePx);
     std::vector<Cut> cuts(views * frames.size());
     const int all = static_cast<int>(cuts.size());
     int done = 0;
@@ -293,12 +348,12 @@ Result<Sheet> makeSheet(const Document& document, const GameProfile& profile,
         if (!octree) return Failure(octree.error());
         std::vector<std::optional<Error>> failures(views);
         parallelFor(static_cast<int>(views), 0, [&](int first, int last) {
-            for (int v = first; v < last && !stop.stop_requested(); ++v) {
+            for (int v = first; v < last && !stop.stop_requested() && distinct.fit(); ++v) {
                 const int direction = v % options.directions;
                 const double yaw = options.firstYawDegrees + 360.0 * direction / options.directions;
                 const double pitch =
                     options.pitchesDegrees[static_cast<std::size_t>(v / options.directions)];
-                Result<Cut> cut = maker.cut(octree->view(), yaw, pitch, frames[f]);
+                Result<Cut> cut = maker.cut(octree->view(), yaw, pitch, frames[f], distinct);
                 if (!cut) {
                     failures[static_cast<std::size_t>(v)] = cut.error();
                     continue;
@@ -313,6 +368,7 @@ Result<Sheet> makeSheet(const Document& document, const GameProfile& profile,
         for (const std::optional<Error>& failure : failures) {
             if (failure) return Failure(*failure);
         }
+        if (!distinct.fit()) return tooLarge(cuts.size(), options.largestEdgePx);
     }
 
     Sheet sheet;
@@ -320,7 +376,8 @@ Result<Sheet> makeSheet(const Document& document, const GameProfile& profile,
     sheet.depthRangeMetres = maker.rangeMetres();
     placeInCell(cuts, sheet);
     if (!options.trim) {
-        for (Cut& cut : cuts) widenToCell(cut, sheet.cellPx);
+        Status fits = widenToCells(cuts, sheet.cellPx, options.largestEdgePx);
+        if (!fits) return Failure(fits.error());
     }
     const std::vector<std::string> pictures = picturesOfSheet(document.palette, options);
     if (Status packed = pack(cuts, options, pictures, sheet); !packed) {

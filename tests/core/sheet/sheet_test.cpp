@@ -143,6 +143,31 @@ TEST(Sheets, EqualSpritesShareAPlace) {
     EXPECT_EQ(places.size(), 2u);
 }
 
+TEST(Sheets, WhatCannotFitIsNotMadeFirst) {
+    SheetOptions options;
+    options.directions = 360;
+    options.largestEdgePx = 64;
+    for (const bool trim : {true, false}) {
+        options.trim = trim;
+        int made = 0;
+        const auto sheet = makeSheet(documentOf(figure()), plainProfile(), options,
+                                     [&](int done, int) { made = done; });
+        ASSERT_FALSE(sheet);
+        EXPECT_EQ(sheet.error().message, "360 sprites do not fit a picture of 64x64");
+        EXPECT_LT(made, 360);
+    }
+    // Sprites that are seen many times take the place of one.
+    const Document still = animationOf(std::vector<VoxelGrid>(40, figure()));
+    options.directions = 1;
+    options.largestEdgePx = 128;
+    for (const bool trim : {true, false}) {
+        options.trim = trim;
+        const Sheet sheet = must(makeSheet(still, plainProfile(), options));
+        EXPECT_EQ(sheet.sprites.size(), 40u);
+        EXPECT_GT(40 * sheet.sprites[0].size.x * sheet.sprites[0].size.y, 128 * 128);
+    }
+}
+
 TEST(Sheets, UntrimmedSpritesAreWholeCells) {
     const Document document = walking();
     SheetOptions options;
