@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <system_error>
 
 namespace voxprite::cli {
 namespace {
@@ -20,10 +21,14 @@ constexpr std::array kOptionalValues{
     OptionalValue{"--ortho", "auto", [](std::string_view t) { return numberFrom(t).has_value(); }},
     OptionalValue{"--minification", "on",
                   [](std::string_view t) { return switchFrom(t).has_value(); }},
+    OptionalValue{"--snapshot-blend", "on",
+                  [](std::string_view t) { return switchFrom(t).has_value(); }},
 };
 
 bool isFileName(const std::string& argument) {
-    return argument.find_first_of("./") != std::string::npos || std::filesystem::exists(argument);
+    std::error_code tooLong;
+    return argument.find_first_of("./") != std::string::npos ||
+           std::filesystem::exists(argument, tooLong);
 }
 
 }  // namespace

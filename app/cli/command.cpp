@@ -18,7 +18,7 @@ Json textJson(const std::filesystem::path& path) {
 std::string warningLines(const Json& warnings) {
     std::string text;
     for (const Json& warning : warnings) {
-        text += "  warning: " + warning.get<std::string>() + '\n';
+        text += "  warning: " + onOneLine(warning.get<std::string>()) + '\n';
     }
     return text;
 }

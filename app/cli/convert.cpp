@@ -6,7 +6,9 @@
 #include "app/cli/command.h"
 #include "app/cli/convert_batch.h"
 #include "app/cli/mesh_options.h"
+#include "app/cli/outputs.h"
 #include "app/cli/source.h"
+#include "core/io/png.h"
 
 namespace voxprite::cli {
 namespace {
@@ -40,6 +42,9 @@ Result<Report> convertMany(const ConvertOptions& options) {
 Result<Report> convertOne(const ConvertOptions& options) {
     const std::string& input = options.inputs[0];
     const std::string& output = *options.output;
+    // Of several entities one alone would be left.
+    checkReplacesNone({"--output", output},
+                      options.reading.entity ? options.inputs : std::vector<std::string>{});
     // Before any work: is the output of a kind that can be written?
     const Result<Format> format = formatOf(output);
     if (!format) throw CLI::ValidationError("--output", format.error().describe());
@@ -63,11 +68,12 @@ Result<Report> convertOne(const ConvertOptions& options) {
         !saved) {
         return Failure(saved.error());
     }
-    Json warnings = Json::array();
-    for (const std::string& warning : loaded->warnings) warnings.push_back(textJson(warning));
+    Json warnings = warningsJson(*loaded);
     const std::string ofReading = warningLines(warnings);
     for (const std::string& loss : losses) warnings.push_back(textJson(loss));
-    const auto bytes = std::filesystem::file_size(output);
+    std::error_code unknown;  // of a pipe
+    const std::uintmax_t size = std::filesystem::file_size(output, unknown);
+    const std::uintmax_t bytes = unknown ? 0 : size;
     Report report;
     report.json = {{"input", textJson(input)},
                    {"from", nameOf(loaded->format)},
@@ -113,7 +119,8 @@ void addConvert(CLI::App& app, Command& command) {
                    "vox, svo ...")
         ->type_name("FORMAT");
     addParsed(sub, "--jobs", "N", "With --out-dir: files at a time (as many as there are cores)",
-              indexFrom, [options](int jobs) { options->jobs = jobs; });
+              indexFrom, [options](int jobs) { options->jobs = jobs; })
+        ->check(CLI::Range(0, 1024));
     sub.add_option("--log", options->log,
                    "With --out-dir: a JSON object for each file, a line each, in their order")
         ->type_name("FILE");
@@ -131,7 +138,8 @@ void addConvert(CLI::App& app, Command& command) {
         ->type_name("NAME");
     addParsed(sub, "--slice-rows", "N",
               "Of a .png with all layers below one another: rows of one layer", indexFrom,
-              [options](int rows) { options->reading.slices.layerRows = rows; });
+              [options](int rows) { options->reading.slices.layerRows = rows; })
+        ->check(CLI::Range(1, kMaxPngEdge));
     sub.add_option("--grid", options->reading.vdb.grid, "Of a .vdb: the grid that becomes voxels")
         ->type_name("NAME");
     addParsed(sub, "--threshold", "X", "Of a .vdb: density above this is solid (0.5)", numberFrom,

@@ -1,9 +1,12 @@
 #include "app/cli/convert_batch.h"
 
+#include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 
+#include "app/cli/outputs.h"
 #include "app/cli/source.h"
 #include "core/io/batch.h"
 
@@ -17,7 +20,10 @@ class Log {
         Log log;
         if (!path) return log;
         log.file_.reset(std::fopen(path->c_str(), "w"));
-        if (!log.file_) return failInFile(*path, "cannot be written");
+        if (!log.file_) {
+            return failInFile(*path,
+                              "cannot be written: " + std::generic_category().message(errno));
+        }
         return log;
     }
     void line(const Json& json) {
@@ -57,6 +63,17 @@ Json outcomeJson(const BatchItem& item, const BatchOutcome& outcome, const std::
     return json;
 }
 
+// It is written line by line, over whatever has its name.
+void checkLog(const Output& log, const BatchCommand& batch, const std::vector<BatchItem>& items) {
+    checkReplacesNone(log, batch.inputs);
+    if (batch.profile) checkReplacesNone(log, {*batch.profile});
+    for (const BatchItem& item : items) {
+        if (!isSameFile(item.output, log.path)) continue;
+        throw CLI::ValidationError(
+            log.option, "'" + log.path + "' is what " + item.input.string() + " becomes");
+    }
+}
+
 std::string countOf(std::size_t files) {
     return std::to_string(files) + (files == 1 ? " file" : " files");
 }
@@ -75,9 +92,11 @@ Result<Report> convertBatch(const BatchCommand& batch) {
     if (!infoOf(*to).writes()) {
         throw CLI::ValidationError("--to", batch.to + " is read but not written");
     }
+    checkReplacesNone({"--out-dir", batch.folder}, {});
     const std::vector<std::filesystem::path> inputs(batch.inputs.begin(), batch.inputs.end());
     const Result<std::vector<BatchItem>> items = planBatch(inputs, batch.folder, *to);
     if (!items) return Failure(items.error());
+    if (batch.log) checkLog({"--log", *batch.log}, batch, *items);
 
     std::optional<GameProfile> game;
     if (batch.profile) {

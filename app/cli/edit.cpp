@@ -1,6 +1,7 @@
 // voxprite [edit] [FILE...]: the editor.
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
+#include "app/cli/outputs.h"
 #include "app/cli/source.h"
 #include "app/editor/editor.h"
 #include "core/io/formats.h"
@@ -8,7 +9,24 @@
 namespace voxprite::cli {
 namespace {
 
+void checkFiles(const EditorOptions& options) {
+    std::vector<std::string> inputs(options.files.begin(), options.files.end());
+    for (const auto& input : {options.profile, options.playScript}) {
+        if (input) inputs.push_back(input->string());
+    }
+    const auto check = [&](const char* option, const std::optional<std::filesystem::path>& path) {
+        if (path) checkReplacesNone({option, path->string()}, inputs);
+    };
+    if (options.screenshot) checkEnding({"--screenshot", options.screenshot->string()}, {".png"});
+    check("--screenshot", options.screenshot);
+    check("--record", options.record);
+    check("--dump-layout", options.layoutDump);
+    check("--frame-times", options.frameTimes);
+    check("--start-times", options.startTimes);
+}
+
 Result<Report> edit(const EditorOptions& options) {
+    checkFiles(options);
     if (Status status = runEditor(options); !status) return Failure(status.error());
     return Report{};
 }
@@ -49,9 +67,9 @@ void addEdit(CLI::App& app, Command& command) {
             "Write when the parts of the start were done, up to the first frames");
     addParsed(sub, "--window", "WxH", "The window's size at content scale 1", sizeFrom,
               [options](glm::ivec2 size) { options->windowPx = size; });
-    sub.add_option_function<double>(
-           "--content-scale", [options](double scale) { options->contentScale = scale; },
-           "Pixels a unit of the layout, instead of the display's own")
+    addParsed(sub, "--content-scale", "NUMBER",
+              "Pixels a unit of the layout, instead of the display's own", numberFrom,
+              [options](double scale) { options->contentScale = scale; })
         ->check(CLI::Range(0.5, 4.0));
     runs(sub, command, options, edit);
 }

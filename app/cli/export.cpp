@@ -4,6 +4,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
 #include "app/cli/convert_batch.h"
+#include "app/cli/outputs.h"
 #include "app/cli/source.h"
 #include "core/base/file.h"
 #include "core/io/svo_file.h"
@@ -38,21 +39,28 @@ Json modelsJson(const SvoFile& file) {
     return models;
 }
 
-Result<LoadedDocument> load(const ExportOptions& options, const std::string& input,
-                            Json& warnings) {
+// Of several inputs each warning names its own.
+Result<LoadedDocument> load(const ExportOptions& options, const std::string& input, Json& warnings,
+                            std::string& ofReading) {
     Result<LoadedDocument> loaded =
         loadSource(input, options.model, options.variant, options.reading);
     if (!loaded) return loaded;
     const std::vector<std::string> losses = lossesOf(loaded->document, Format::svo);
     if (!*options.json) tellLosses(input, losses);
-    for (const std::string& loss : losses) warnings.push_back(textJson(loss));
+    const std::string whose = options.inputs.size() > 1 ? input + ": " : "";
+    Json read = Json::array();
+    for (const std::string& warning : loaded->warnings) read.push_back(textJson(whose + warning));
+    ofReading += warningLines(read);
+    for (Json& warning : read) warnings.push_back(std::move(warning));
+    for (const std::string& loss : losses) warnings.push_back(textJson(whose + loss));
     return loaded;
 }
 
 Result<Report> exportOne(const ExportOptions& options) {
     const std::string& input = options.inputs[0];
     Json warnings = Json::array();
-    const Result<LoadedDocument> loaded = load(options, input, warnings);
+    std::string ofReading;
+    const Result<LoadedDocument> loaded = load(options, input, warnings, ofReading);
     if (!loaded) return Failure(loaded.error());
     const Result<GameProfile> profile = profileForSaving(options.profile, loaded->document);
     if (!profile) return Failure(profile.error());
@@ -79,7 +87,7 @@ Result<Report> exportOne(const ExportOptions& options) {
                    {"warnings", std::move(warnings)}};
     report.text = options.output + ": " + std::to_string(bytes->size()) + " bytes, " +
                   std::to_string(file->models.size()) +
-                  " model(s), read back and compared voxel by voxel\n";
+                  " model(s), read back and compared voxel by voxel\n" + ofReading;
     return report;
 }
 
@@ -98,8 +106,9 @@ Result<Report> exportSet(const ExportOptions& options) {
     std::vector<SetMember> members;
     std::vector<std::string> inputs;  // of each member
     Json warnings = Json::array();
+    std::string ofReading;
     for (const std::string& input : options.inputs) {
-        Result<LoadedDocument> loaded = load(options, input, warnings);
+        Result<LoadedDocument> loaded = load(options, input, warnings, ofReading);
         if (!loaded) return Failure(loaded.error());
         const Result<GameProfile> profile = profileForSaving(options.profile, loaded->document);
         if (!profile) return Failure(profile.error());
@@ -141,7 +150,7 @@ Result<Report> exportSet(const ExportOptions& options) {
                    {"warnings", std::move(warnings)}};
     report.text = options.output + ": " + std::to_string(bytes->size()) + " bytes, " +
                   std::to_string(set->size()) +
-                  " entities, read back and compared voxel by voxel\n";
+                  " entities, read back and compared voxel by voxel\n" + ofReading;
     return report;
 }
 
@@ -150,6 +159,8 @@ Result<Report> exportSvo(const ExportOptions& options) {
     if (!format || *format != Format::svo) {
         throw CLI::ValidationError("--output", "the octree's file must end in .svo");
     }
+    // Not even an octree in its own place: the file would lose its other entities.
+    checkReplacesNone({"--output", options.output}, options.inputs);
     if (options.each || options.inputs.size() > 1) return exportSet(options);
     return exportOne(options);
 }

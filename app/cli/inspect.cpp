@@ -123,15 +123,15 @@ Json socketsJson(const Document& document) {
 std::string namesLine(const char* what, const Json& list) {
     if (list.empty()) return {};
     std::string line = std::string("  ") + what + ":";
-    for (const Json& item : list) line += "  \"" + item["name"].get<std::string>() + '"';
+    for (const Json& item : list) line += "  \"" + onOneLine(item["name"].get<std::string>()) + '"';
     return line + '\n';
 }
 
 std::string describe(const Json& json, const std::string& file) {
     std::ostringstream text;
-    text << file << ": " << json["format"].get<std::string>() << ", " << json["models"].size()
-         << " model(s), " << json["instances"].size() << " object(s), " << json["frames"]
-         << " frame(s)\n";
+    text << onOneLine(file) << ": " << json["format"].get<std::string>() << ", "
+         << json["models"].size() << " model(s), " << json["instances"].size() << " object(s), "
+         << json["frames"] << " frame(s)\n";
     int index = 0;
     for (const Json& model : json["models"]) {
         const Json& size = model["size"];
@@ -142,7 +142,7 @@ std::string describe(const Json& json, const std::string& file) {
             text << "; octree: depth " << svo["max_depth"] << ", " << svo["nodes"] << " nodes, "
                  << svo["payloads"] << " payloads, " << svo["bytes"] << " bytes";
         }
-        const auto name = model["name"].get<std::string>();
+        const std::string name = onOneLine(model["name"].get<std::string>());
         if (!name.empty()) text << "  \"" << name << '"';
         if (model["frames"] > 1) text << "  (one of " << model["frames"] << " frames)";
         text << '\n';
@@ -150,8 +150,8 @@ std::string describe(const Json& json, const std::string& file) {
     if (const Json& variants = json["palette"]["variants"]; !variants.empty()) {
         text << "  palette variants:";
         for (const Json& variant : variants) {
-            text << "  \"" << variant["name"].get<std::string>() << "\" (" << variant["colours"]
-                 << " colours)";
+            text << "  \"" << onOneLine(variant["name"].get<std::string>()) << "\" ("
+                 << variant["colours"] << " colours)";
         }
         text << '\n';
     }
@@ -163,8 +163,7 @@ std::string describe(const Json& json, const std::string& file) {
 Json documentJson(const LoadedDocument& loaded) {
     const Document& document = loaded.document;
     const std::vector<int> sources = sourceModels(document);
-    Json warnings = Json::array();
-    for (const std::string& warning : loaded.warnings) warnings.push_back(textJson(warning));
+    Json warnings = warningsJson(loaded);
     Json models = Json::array();
     for (const int index : sources) models.push_back(modelJson(document, index, warnings));
 

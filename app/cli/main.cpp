@@ -1,10 +1,11 @@
 // The command line: chooses the subcommand, prints what it returns, turns failures into one line
 // on stderr and an exit status (0 success, 1 failure, 2 wrong usage).
+#include <fcntl.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cstdio>
-#include <filesystem>
+#include <sstream>
 #include <vector>
 #if defined(__GLIBC__)
 #include <malloc.h>
@@ -30,6 +31,16 @@ void keepFreedMemory() {
 #endif
 }
 
+// Whoever starts a program may close its standard streams; the next file that it opens then gets
+// their number, and what is said on standard error would be written into that file. What stands in
+// for them here is opened the wrong way round: using them fails, as it did.
+void keepStandardStreams() {
+    for (int stream = 0; stream <= 2; ++stream) {
+        if (::fcntl(stream, F_GETFD) >= 0) continue;
+        if (::open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY) < 0) return;
+    }
+}
+
 bool print(const std::string& text) {
     return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() &&
            std::fflush(stdout) == 0;
@@ -53,6 +64,10 @@ int reportFailure(const std::string& prefix, const Error& error, bool json, int 
     if (json) print(errorJson(error).dump(2) + "\n");
     std::fprintf(stderr, "%s: %s\n", prefix.c_str(), error.describe().c_str());
     return status;
+}
+
+int reportNotPrinted(const std::string& prefix) {
+    return reportFailure(prefix, fail("cannot write to standard output").value(), false, kFailure);
 }
 
 int runCommandLine(std::vector<std::string> arguments) {
@@ -88,13 +103,16 @@ int runCommandLine(std::vector<std::string> arguments) {
         if (!report) return reportFailure(prefix, report.error(), command.json, kFailure);
         if (report->failure) report->json.update(errorJson(*report->failure));
         if (!print(command.json ? report->json.dump(2) + "\n" : report->text)) {
-            return reportFailure(prefix, fail("cannot write to standard output").value(), false,
-                                 kFailure);
+            return reportNotPrinted(prefix);
         }
         if (report->failure) return reportFailure(prefix, *report->failure, false, kFailure);
         return 0;
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+        if (error.get_exit_code() == 0) {  // --help, --version
+            std::ostringstream asked;
+            app.exit(error, asked, asked);
+            return print(asked.str()) ? 0 : reportNotPrinted(prefix);
+        }
         if (!app.get_subcommands().empty()) {
             prefix = "voxprite " + app.get_subcommands().front()->get_name();
         }
@@ -109,6 +127,7 @@ int runCommandLine(std::vector<std::string> arguments) {
 }  // namespace voxprite::cli
 
 int main(int argc, char** argv) {
+    voxprite::cli::keepStandardStreams();
     voxprite::cli::keepFreedMemory();
     return voxprite::cli::runCommandLine({argv + std::min(argc, 1), argv + argc});
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "app/cli/command.h"
+#include "app/cli/convert_batch.h"
+#include "app/cli/outputs.h"
 #include "app/cli/source.h"
 #include "core/edit/palette_edits.h"
 #include "core/io/palette_files.h"
@@ -16,16 +18,22 @@ struct PaletteOptions {
     ReadOptions reading;
     bool removeUnused = false;
     bool suggestRamps = false;
+    bool* json = nullptr;  // owned by the Command
 };
+
+// A model where the ending is a model's, else a file of colours.
+std::optional<Format> modelFormatOf(const std::string& output) {
+    const Result<Format> format = formatOf(output);
+    if (!format || isFileOfColours(output)) return std::nullopt;
+    return *format;
+}
 
 // The variant that is named; added first when colours shall go into it.
 Result<VariantIndex> variantFor(Palette& palette, const PaletteOptions& options) {
     if (!options.variant) return VariantIndex();
-    if (const VariantIndex known = palette.variantNamed(*options.variant)) return known;
-    if (!options.import) {
-        return failInFile(options.input,
-                          "there is no palette variant \"" + *options.variant + "\"");
-    }
+    const Result<std::size_t> known = variantNamed(palette, *options.variant);
+    if (known) return VariantIndex(*known);
+    if (!options.import) return inFile(Result<VariantIndex>(Failure(known.error())), options.input);
     palette = withVariantAdded(std::move(palette), std::nullopt, *options.variant);
     if (Status valid = validate(palette); !valid) return Failure(valid.error());
     return VariantIndex(palette.variants.size() - 1);
@@ -49,7 +57,42 @@ Json colourJson(const Palette& palette, std::uint8_t index, std::uint64_t voxels
             {"voxels", voxels}};
 }
 
+// Says what the output will lack, and returns it.
+Result<std::vector<std::string>> save(const PaletteOptions& options, Document document,
+                                      VariantIndex variant) {
+    const std::string& output = *options.output;
+    const std::optional<Format> format = modelFormatOf(output);
+    if (!format) {
+        const Status saved = saveColours(output, colourList(document.palette, variant));
+        if (!saved) return Failure(saved.error());
+        return {};
+    }
+    const FormatInfo& info = infoOf(*format);
+    if (options.variant && !info.holds.variants) {
+        if (Status s = chooseVariant(document.palette, *options.variant); !s) {
+            return Failure(s.error());
+        }
+    }
+    std::vector<std::string> losses;
+    if (info.writes()) losses = lossesOf(document, *format);
+    if (!*options.json) tellLosses(options.input, losses);
+    const Result<GameProfile> profile = profileForSaving(std::nullopt, document);
+    if (!profile) return Failure(profile.error());
+    const Status saved = saveDocument(output, document, *profile);
+    if (!saved) return Failure(saved.error());
+    return losses;
+}
+
+void checkFiles(const PaletteOptions& options) {
+    if (!options.output) return;
+    // A model may get its new colours in its own place, if all of it is written.
+    const bool inPlace = modelFormatOf(*options.output) && !options.reading.entity;
+    checkReplacesNone({"--output", *options.output},
+                      inPlace ? std::vector<std::string>{} : std::vector{options.input});
+}
+
 Result<Report> palette(const PaletteOptions& options) {
+    checkFiles(options);
     Result<LoadedDocument> loaded = loadDocument(options.input, options.reading);
     if (!loaded) return Failure(loaded.error());
     Document& document = loaded->document;
@@ -67,15 +110,12 @@ Result<Report> palette(const PaletteOptions& options) {
     if (options.removeUnused) colours = withoutUnused(std::move(colours), counts);
     if (options.suggestRamps) colours = withSuggestedRamps(std::move(colours), used);
 
+    Json warnings = warningsJson(*loaded);
+    const std::string ofReading = warningLines(warnings);
     if (options.output) {
-        // A model where the ending is a model's, else a file of colours.
-        const Status saved =
-            !isFileOfColours(*options.output) && formatOf(*options.output)
-                ? profileForSaving(std::nullopt, document).and_then([&](const GameProfile& game) {
-                      return saveDocument(*options.output, document, game);
-                  })
-                : saveColours(*options.output, colourList(colours, *variant));
-        if (!saved) return Failure(saved.error());
+        const Result<std::vector<std::string>> losses = save(options, document, *variant);
+        if (!losses) return Failure(losses.error());
+        for (const std::string& loss : *losses) warnings.push_back(textJson(loss));
     }
     const Palette shown = *variant ? colours.withVariant(**variant) : colours;
     Json list = Json::array();
@@ -83,11 +123,12 @@ Result<Report> palette(const PaletteOptions& options) {
     Report report;
     report.json = {{"used", std::move(list)},
                    {"variants", colours.variants.size()},
-                   {"ramps", colours.ramps.size()}};
+                   {"ramps", colours.ramps.size()},
+                   {"warnings", std::move(warnings)}};
     report.text = (options.output ? *options.output : options.input) + ": " +
                   std::to_string(used.size()) + " colours in use, " +
                   std::to_string(colours.variants.size()) + " variant(s), " +
-                  std::to_string(colours.ramps.size()) + " ramp(s)\n";
+                  std::to_string(colours.ramps.size()) + " ramp(s)\n" + ofReading;
     return report;
 }
 
@@ -96,6 +137,7 @@ Result<Report> palette(const PaletteOptions& options) {
 void addPalette(CLI::App& app, Command& command) {
     CLI::App& sub = *app.add_subcommand("palette", "Take colours out of a model, or put them in");
     auto options = std::make_shared<PaletteOptions>();
+    options->json = &command.json;
     sub.add_option("IN", options->input, "A model: " + listed(modelEndings()))->required();
     sub.add_option("-o,--output", options->output,
                    "A file of colours (.png, .gpl, .pal), or the model with the colours changed")

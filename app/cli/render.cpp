@@ -3,6 +3,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/lattice_json.h"
+#include "app/cli/outputs.h"
 #include "app/cli/render_shot.h"
 #include "core/io/png.h"
 #include "core/io/profile_json.h"
@@ -123,6 +124,7 @@ Json reportJson(const RenderOptions& options, const Shot& shot, const Drawn& dra
     Json ms = Json::object();
     for (const auto& [name, milliseconds] : times) ms[name] = milliseconds;
     json["ms"] = std::move(ms);
+    json["warnings"] = shot.warnings;
     return json;
 }
 
@@ -168,7 +170,24 @@ Status writePictures(const RenderOptions& options, const Drawn& drawn) {
     return inFile(writePngFile(*options.buffer, drawn.buffer->image()), *options.buffer);
 }
 
+void checkFiles(const RenderOptions& options) {
+    std::vector<std::string> inputs{options.input};
+    for (const auto& input : {options.profile, options.lattice}) {
+        if (input) inputs.push_back(*input);
+    }
+    const auto check = [&](const Output& output) {
+        checkEnding(output, {".png"});
+        checkReplacesNone(output, inputs);
+    };
+    if (options.output) check({"--output", *options.output});
+    if (options.buffer) check({"--buffer", *options.buffer});
+    if (options.output && options.buffer && isSameFile(*options.output, *options.buffer)) {
+        throw CLI::ValidationError("--buffer", "has the name of the picture that -o writes");
+    }
+}
+
 Result<Report> render(const RenderOptions& options) {
+    checkFiles(options);
     const RenderMode mode = options.mode.value_or(RenderMode::sprite);
     if (options.buffer && !showsSprite(mode)) {
         throw CLI::ValidationError("--buffer",
@@ -196,7 +215,8 @@ Result<Report> render(const RenderOptions& options) {
     if (Status written = writePictures(options, *drawn); !written) {
         return Failure(written.error());
     }
-    return Report{reportJson(options, *shot, *drawn, times), describe(options, *shot, *drawn)};
+    return Report{reportJson(options, *shot, *drawn, times),
+                  describe(options, *shot, *drawn) + warningLines(shot->warnings)};
 }
 
 }  // namespace

@@ -52,6 +52,9 @@ Result<Drawn> drawOnGlFrom(const Shot& shot, const SeenSnapshots& seen, bool wan
     if (!context) return Failure(context.error());
     Drawn drawn;
     drawn.driver = gl::driverInfo().renderer + ", " + gl::driverInfo().version;
+    if (Status fits = Frame::checkSize(shot.camera.viewportPx); !fits) {
+        return Failure(fits.error());
+    }
     GpuOctree octree;
     octree.upload(shot.octree.view());
     Result<SnapshotRenderer> renderer = SnapshotRenderer::create();

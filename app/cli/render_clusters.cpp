@@ -36,6 +36,9 @@ ChosenClusters chosenClusters(const Shot& shot, const ClusterMesh& mesh) {
 }  // namespace
 
 Result<Drawn> drawClusters(const Shot& shot, Times& times) {
+    if (Status fits = Frame::checkSize(shot.camera.viewportPx); !fits) {
+        return Failure(fits.error());
+    }
     Stopwatch watch;
     const Result<ClusterMesh> mesh = buildClusters(shot.octree.view());
     if (!mesh) return Failure(mesh.error());

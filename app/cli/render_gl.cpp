@@ -23,6 +23,9 @@ Result<Image> drawVoxels(const Shot& shot, const GpuOctree& octree) {
     options.ground = false;
     options.light = shot.profile.light;
     options.maxDepth = shot.octreeDepth;
+    if (Status fits = Frame::checkSize(shot.camera.viewportPx); !fits) {
+        return Failure(fits.error());
+    }
     Frame frame(shot.camera.viewportPx);
     view->draw(frame, octree, shot.palette, shot.placed, shot.camera, options);
     Image image = frame.readColour();

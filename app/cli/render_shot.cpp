@@ -78,6 +78,11 @@ Camera cameraOf(const RenderOptions& options, const PlacedEntity& placed,
     if (options.distanceMetres && !(*options.distanceMetres > 0.0)) {
         throw CLI::ValidationError("--distance", "must be greater than 0");
     }
+    // Before anything is computed from them.
+    Camera asked;
+    asked.verticalFovDegrees = options.fovDegrees;
+    asked.viewportPx = options.sizePx;
+    requireUsage(validate(asked));
     const double radius = radiusToShow(placed, profile);
     const double aspect = static_cast<double>(options.sizePx.x) / options.sizePx.y;
     const double halfHeight = std::tan(options.fovDegrees * std::numbers::pi / 360.0);
@@ -183,6 +188,7 @@ Result<Shot> makeShot(const RenderOptions& options, Times& times) {
     Shot shot;
     shot.octree = std::move(*octree);
     shot.palette = document.palette;
+    shot.warnings = warningsJson(*loaded);
     for (const Socket& socket : document.sockets) {
         const glm::dvec3 position = positionAt(socket, options.frame) - glm::dvec3(bounds.min);
         shot.sockets.push_back({socket.name, position});

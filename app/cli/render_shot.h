@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/cli/command.h"
 #include "app/cli/render_options.h"
 #include "core/base/result.h"
 #include "core/sprite/composite.h"
@@ -27,6 +28,7 @@ struct ShotSocket {
 struct Shot {
     Octree octree;  // of the frame, in the entity's bounds
     Palette palette;
+    Json warnings = Json::array();  // of the reader
     std::vector<ShotSocket> sockets;
     PlacedEntity placed;
     GameProfile profile;

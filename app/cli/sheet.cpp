@@ -7,7 +7,9 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
+#include "app/cli/outputs.h"
 #include "app/cli/source.h"
+#include "core/base/ending.h"
 #include "core/io/profile_json.h"
 #include "core/sheet/sheet_files.h"
 
@@ -55,14 +57,26 @@ Result<GameProfile> profileOf(const SheetCommandOptions& options) {
 
 Result<Report> sheet(const SheetCommandOptions& options) {
     const std::filesystem::path output(options.output);
-    if (output.extension() != ".png") {
+    if (lowerEndingOf(output) != ".png") {
         throw CLI::ValidationError("--output", "the sheet's file must end in .png");
+    }
+    std::optional<Turntable> turntable;
+    if (options.turntable) {
+        checkEnding({"--turntable", *options.turntable}, {".png", ".gif"});
+        turntable = {*options.turntable, options.turntableMilliseconds, options.magnify};
     }
     const Result<GameProfile> profile = profileOf(options);
     if (!profile) return Failure(profile.error());
     const Result<LoadedDocument> loaded =
         loadSource(options.input, options.model, std::nullopt, options.reading);
     if (!loaded) return Failure(loaded.error());
+    std::vector<std::string> inputs{options.input};
+    if (options.profile) inputs.push_back(*options.profile);
+    for (const std::filesystem::path& replaced :
+         replacedBySheet(loaded->document.palette, options.sheet, output, turntable)) {
+        const bool turns = turntable && replaced == turntable->path;
+        checkReplacesNone({turns ? "--turntable" : "--output", replaced.string()}, inputs);
+    }
     const bool told = isatty(STDERR_FILENO) == 1;
     const Result<Sheet> made =
         inFile(makeSheet(loaded->document, *profile, options.sheet,
@@ -73,14 +87,10 @@ Result<Report> sheet(const SheetCommandOptions& options) {
     if (told) std::fprintf(stderr, "\r\033[K");
     if (!made) return Failure(made.error());
 
-    std::optional<Turntable> turntable;
-    if (options.turntable) {
-        turntable = {*options.turntable, options.turntableMilliseconds, options.magnify};
-    }
     const Result<std::vector<SheetFile>> files =
         sheetFiles(*made, loaded->document, *profile, options.sheet, output, turntable);
     if (!files) return Failure(files.error());
-    Json warnings = Json::array();
+    Json warnings = warningsJson(*loaded);
     for (const SheetFile& file : *files) {
         if (file.loss) warnings.push_back(textJson(file.path.string() + ": " + *file.loss));
     }
@@ -118,6 +128,10 @@ void addLayoutOptions(CLI::App& sub, const std::shared_ptr<SheetCommandOptions>&
               [options](double yaw) { options->sheet.firstYawDegrees = yaw; });
     addParsed(sub, "--pitch", "A[,B...]", "How high the eye is: degrees, each makes a round (30)",
               numbersFromList, [options](const std::vector<double>& pitches) {
+                  for (const double pitch : pitches) {
+                      if (pitch >= -90.0 && pitch <= 90.0) continue;
+                      throw CLI::ValidationError("--pitch", "must be -90 to 90 degrees");
+                  }
                   options->sheet.pitchesDegrees = pitches;
               });
     sub.add_option_function<std::string>(

@@ -14,21 +14,36 @@ Document onlyModel(Document document, int model) {
     return single;
 }
 
+std::optional<std::size_t> entityFrom(std::string_view text) {
+    const std::optional<int> index = indexFrom(text);
+    if (!index || *index < 0) return std::nullopt;
+    return static_cast<std::size_t>(*index);
+}
+
 }  // namespace
 
-Status chooseVariant(Palette& palette, const std::string& name) {
-    const std::optional<std::size_t> variant = palette.variantNamed(name);
-    if (!variant) {
-        std::string known;
-        for (const PaletteVariant& each : palette.variants) {
-            known += (known.empty() ? "" : ", ") + each.name;
-        }
-        return fail("there is no palette variant \"" + name + "\"" +
-                    (known.empty() ? "; the file has none" : " (there are: " + known + ")"));
+Result<std::size_t> variantNamed(const Palette& palette, const std::string& name) {
+    if (const std::optional<std::size_t> variant = palette.variantNamed(name)) return *variant;
+    std::string known;
+    for (const PaletteVariant& each : palette.variants) {
+        known += (known.empty() ? "" : ", ") + each.name;
     }
+    return fail("there is no palette variant \"" + name + "\"" +
+                (known.empty() ? "; the file has none" : " (there are: " + known + ")"));
+}
+
+Status chooseVariant(Palette& palette, const std::string& name) {
+    const Result<std::size_t> variant = variantNamed(palette, name);
+    if (!variant) return Failure(variant.error());
     palette = palette.withVariant(*variant);
     palette.variants.clear();
     return {};
+}
+
+Json warningsJson(const LoadedDocument& loaded) {
+    Json warnings = Json::array();
+    for (const std::string& warning : loaded.warnings) warnings.push_back(textJson(warning));
+    return warnings;
 }
 
 std::vector<int> sourceModels(const Document& document) {
@@ -63,7 +78,7 @@ Result<LoadedDocument> loadSource(const std::filesystem::path& path, std::option
 void addEntityOption(CLI::App& app, std::optional<std::size_t>& entity) {
     addParsed(app, "--entity", "INDEX",
               "Of a .svo with several entities: this one, as `inspect` lists them (from 0)",
-              indexFrom, [&entity](int index) { entity = static_cast<std::size_t>(index); });
+              entityFrom, [&entity](std::size_t index) { entity = index; });
 }
 
 Result<GameProfile> profileForSaving(const std::optional<std::string>& path,

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/cli/command.h"
 #include "core/base/result.h"
 #include "core/io/formats.h"
 
@@ -21,12 +22,17 @@ namespace voxprite::cli {
     const std::filesystem::path& path, std::optional<int> model,
     const std::optional<std::string>& variant = std::nullopt, const ReadOptions& options = {});
 
+// What the reader had to say, for a report.
+[[nodiscard]] Json warningsJson(const LoadedDocument& loaded);
+
 // --entity INDEX: of a .svo with several entities.
 void addEntityOption(CLI::App& app, std::optional<std::size_t>& entity);
 inline void addEntityOption(CLI::App& app, ReadOptions& options) {
     addEntityOption(app, options.entity);
 }
 
+// The variant of that name; the failure says which there are.
+[[nodiscard]] Result<std::size_t> variantNamed(const Palette& palette, const std::string& name);
 // The colours of a variant, by its name, in place of the palette's own; then there are no variants.
 [[nodiscard]] Status chooseVariant(Palette& palette, const std::string& name);
 

@@ -116,9 +116,14 @@ std::string listed(const std::vector<std::string>& endings) {
 
 Result<LoadedDocument> loadDocument(const std::filesystem::path& path, const ReadOptions& options) {
     std::error_code unknown;
-    if (std::filesystem::is_directory(path, unknown)) return loadFolder(path, options);
+    const bool isFolder = std::filesystem::is_directory(path, unknown);
     const Result<Format> format = formatOf(path);
-    if (!format) return Failure(format.error());
+    if (!format && !isFolder) return Failure(format.error());
+    if (options.entity && (isFolder || *format != Format::svo)) {
+        return failInFile(path.string(), "there is no entity " + std::to_string(*options.entity) +
+                                             " to choose: only .svo files hold several");
+    }
+    if (isFolder) return loadFolder(path, options);
     const FormatInfo& info = infoOf(*format);
     if (!info.reads()) {
         return failInFile(path.string(),

@@ -75,7 +75,34 @@ TEST_F(CliBatch, UsageIsChecked) {
     EXPECT_EQ(run({"convert", "a.vox", "-o", "c.vox", "--out-dir", "d"}).status, 2);
     EXPECT_EQ(run({"convert", "a.vox", "-o", "c.vox", "--jobs", "2"}).status, 2);
     EXPECT_EQ(run({"convert", "a.vox", "--out-dir", file("d"), "--to", "fbx"}).status, 2);
+    EXPECT_EQ(run({"convert", "a.vox", "--out-dir", file("d"), "--jobs", "-1"}).status, 2);
+    EXPECT_EQ(run({"convert", "a.vox", "--out-dir", ""}).status, 2);
     EXPECT_FALSE(std::filesystem::exists(file("d")));
+}
+
+TEST_F(CliBatch, TheLogReplacesNeitherInputsNorOutputs) {
+    const std::string input = file("in/figure.vox");
+    const std::string before = test::contentOf(input);
+    for (const std::string& log : {input, file("out/figure.qb"), std::string()}) {
+        const test::ProgramResult result =
+            run({"convert", "--out-dir", file("out"), "--to", "qb", "--log", log, input});
+        EXPECT_EQ(result.status, 2) << log;
+        EXPECT_NE(result.err.find("--log"), std::string::npos) << result.err;
+    }
+    EXPECT_EQ(test::contentOf(input), before);
+    EXPECT_FALSE(std::filesystem::exists(file("out")));
+    const test::ProgramResult missing = run(
+        {"convert", "--out-dir", file("out"), "--to", "qb", "--log", file("missing/log"), input});
+    EXPECT_NE(missing.err.find("No such file"), std::string::npos) << missing.err;
+}
+
+TEST_F(CliBatch, WithoutStandardErrorFilesAreWhole) {
+    ASSERT_EQ(run({"convert", "--jobs", "1", "--out-dir", file("out"), "--to", "qb", "--log",
+                   file("log"), file("in/figure.vox"), file("in/busy.voxprite")},
+                  "2>&-")
+                  .status,
+              0);
+    EXPECT_EQ(lines("log").size(), 2u);  // each an object, and nothing else
 }
 
 TEST_F(CliBatch, OneFileSaysItsLossesFirstAndStrictRefusesThem) {

@@ -114,6 +114,14 @@ TEST_F(CliBillboard, WhatIsNotSeenSaysWhy) {
     EXPECT_EQ(billboard({"--position", "0,0,1000"})["snapshots"].contains("unseen"), false);
 }
 
+TEST_F(CliBillboard, BlendingStandsAlone) {
+    const auto shown = [&](const std::vector<std::string>& options) {
+        return billboard(options)["snapshots"]["shown"].size();
+    };
+    EXPECT_GT(shown({"--snapshot-blend", "--yaw", "20"}), 1u);
+    EXPECT_EQ(shown({"--snapshot-blend", "off", "--yaw", "20"}), 1u);
+}
+
 TEST_F(CliBillboard, WrongUsageIsSaid) {
     for (const std::vector<std::string>& options :
          std::vector<std::vector<std::string>>{{"--view-set", "octahedral:1"},

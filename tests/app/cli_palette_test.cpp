@@ -159,13 +159,26 @@ TEST_F(CliPalette, ColoursComeOutAndGoIn) {
         EXPECT_EQ(few.colours[i], used ? document_.palette.colours[i] : Rgba8(0));
     }
 
+    // Formats without variants get the colours of the one that is named, and say what they lack.
+    const ProgramResult red =
+        run({"palette", model(), "--variant", "Red team", "-o", file("red.svo"), "--json"});
+    ASSERT_EQ(red.status, 0) << red.err;
+    EXPECT_EQ(loadDocument(file("red.svo"))->document.palette.colours[77], Rgba8(77, 0, 0, 255));
+    EXPECT_TRUE(red.json()["warnings"].empty());
+    const ProgramResult base = run({"palette", model(), "-o", file("base.svo")});
+    EXPECT_NE(base.err.find("Red team, Winter"), std::string::npos) << base.err;
+    EXPECT_EQ(run({"palette", model(), "-o", file("base.svo"), "--json"}).json()["warnings"].size(),
+              1u);
+
     std::ofstream(file("bad.gpl")) << "GIMP Palette\nred\n";
     const ProgramResult bad =
         run({"palette", model(), "--import", file("bad.gpl"), "-o", file("x.voxprite"), "--json"});
     EXPECT_EQ(bad.status, 1);
     EXPECT_EQ(bad.json()["error"]["line"], 2);
     EXPECT_FALSE(std::filesystem::exists(file("x.voxprite")));
-    EXPECT_EQ(run({"palette", model(), "--variant", "Blue", "--json"}).status, 1);
+    const ProgramResult blue = run({"palette", model(), "--variant", "Blue", "--json"});
+    EXPECT_EQ(blue.status, 1);
+    EXPECT_NE(blue.out.find("Red team, Winter"), std::string::npos) << blue.out;
     EXPECT_EQ(run({"palette", model(), "-o", file("x.txt")}).status, 1);
 }
 

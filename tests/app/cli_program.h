@@ -37,12 +37,14 @@ struct ProgramResult {
 
 class CommandLine : public testing::Test {
   protected:
-    ProgramResult run(const std::vector<std::string>& arguments) const {
+    // Redirections of the shell ("2>&-") come after those to files.
+    ProgramResult run(const std::vector<std::string>& arguments,
+                      const std::string& redirections = "") const {
         const std::string out = file("stdout");
         const std::string err = file("stderr");
         std::string command = quoted(VOXPRITE_PROGRAM);
         for (const std::string& argument : arguments) command += " " + quoted(argument);
-        command += " >" + quoted(out) + " 2>" + quoted(err) + " </dev/null";
+        command += " >" + quoted(out) + " 2>" + quoted(err) + " </dev/null " + redirections;
         const int status = std::system(command.c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(out), contentOf(err)};
     }

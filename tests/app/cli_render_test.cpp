@@ -318,6 +318,17 @@ TEST_F(CliRender, AnEmptyModelIsNotSeen) {
     EXPECT_EQ(inside.json()["unseen"], "camera_inside");
 }
 
+// The driver's limit, or that of a picture's file.
+TEST_F(CliRender, APictureLargerThanCanBeIsNotWritten) {
+    for (const char* mode : {"sprite", "voxels", "clusters", "billboard"}) {
+        const ProgramResult result = run({"render", model(), "-o", file("wide.png"), "--backend",
+                                          "gl", "--mode", mode, "--size", "20000x16"});
+        EXPECT_EQ(result.status, 1) << mode;
+        EXPECT_NE(result.err.find("16384"), std::string::npos) << result.err;
+        EXPECT_FALSE(std::filesystem::exists(file("wide.png"))) << mode;
+    }
+}
+
 TEST_F(CliRender, FramesShareBounds) {
     ASSERT_TRUE(saveDocument(file("walk.voxprite"),
                              animationOf({solidBox({2, 2, 2}), solidBox({9, 4, 6})}),

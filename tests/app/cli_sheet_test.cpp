@@ -133,13 +133,14 @@ TEST_F(CliSheet, RefusesWrongUsageWithoutWritingAnything) {
                                                   {"--pitch", "1,,2"},
                                                   {"--directions", "0"},
                                                   {"--padding", "65"},
+                                                  {"--pitch", "30,91"},
+                                                  {"--turntable", file("turn.jpg")},
                                                   {"--sigma", "1000"}}) {
         std::vector<std::string> arguments{"sheet", model, "-o", out};
         arguments.insert(arguments.end(), wrong.begin(), wrong.end());
         EXPECT_EQ(run(arguments).status, 2) << wrong[0] << wrong[1];
     }
     for (const std::vector<std::string>& failing : {std::vector<std::string>{"--frames", "4"},
-                                                    {"--pitch", "91"},
                                                     {"--variants", "noon"},
                                                     {"--largest-edge", "32"}}) {
         std::vector<std::string> arguments{"sheet", model, "-o", out};
@@ -150,6 +151,8 @@ TEST_F(CliSheet, RefusesWrongUsageWithoutWritingAnything) {
     }
     EXPECT_EQ(run({"sheet", model, "-o", file("sheet.gif")}).status, 2);
     EXPECT_FALSE(std::filesystem::exists(out));
+    EXPECT_FALSE(std::filesystem::exists(file("turn.jpg")));
+    EXPECT_EQ(run({"sheet", model, "-o", file("LOUD.PNG"), "--directions", "1"}).status, 0);
 }
 
 }  // namespace

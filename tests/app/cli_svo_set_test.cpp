@@ -75,6 +75,29 @@ TEST_F(CliSvoSet, WhereOneIsMeantItMustBeChosen) {
     EXPECT_EQ(run({"inspect", set, "--entity", "2", "--json"}).json()["models"].size(), 1u);
 }
 
+TEST_F(CliSvoSet, OnlySetsHaveEntitiesToChoose) {
+    const std::string model = saved("one.vox", documentOf(figure()));
+    const ProgramResult negative = run({"inspect", model, "--entity", "-1"});
+    EXPECT_EQ(negative.status, 2);
+    EXPECT_NE(negative.err.find("-1"), std::string::npos) << negative.err;
+    const ProgramResult none = run({"inspect", model, "--entity", "0"});
+    EXPECT_EQ(none.status, 1);
+    EXPECT_NE(none.err.find("one.vox: there is no entity 0"), std::string::npos) << none.err;
+}
+
+// What would be left is one entity, or none.
+TEST_F(CliSvoSet, ASetIsNotReplacedByAPart) {
+    const std::string set = exportedSet();
+    const std::string before = contentOf(set);
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"export", set, "--entity", "0", "-o", set},
+          {"convert", set, "--entity", "0", "-o", set},
+          {"palette", set, "--entity", "0", "-o", set}}) {
+        EXPECT_EQ(run(command).status, 2) << command[0];
+        EXPECT_EQ(contentOf(set), before) << command[0];
+    }
+}
+
 TEST_F(CliSvoSet, EachModelOfAFileCanBeAnEntity) {
     const Document document = busyDocument();
     const std::string input = saved("busy.voxprite", document);

@@ -65,6 +65,15 @@ TEST_F(Cli, HelpNamesEveryCommand) {
         EXPECT_EQ(run({command, "--help"}).status, 0) << command;
     }
     EXPECT_EQ(run({"--version"}).status, 0);
+    for (const char* full : {"--help", "--version"}) {
+        const ProgramResult result = run({full}, ">/dev/full");
+        EXPECT_EQ(result.status, 1) << full;
+        EXPECT_NE(result.err.find("standard output"), std::string::npos) << result.err;
+    }
+    EXPECT_EQ(run({"--version"}, ">&-").status, 1);
+    const std::string convert = run({"convert", "--help"}).out;
+    EXPECT_NE(convert.find("y|z"), std::string::npos);
+    EXPECT_EQ(convert.find('\0'), std::string::npos);
 }
 
 TEST_F(Cli, WrongUsageIsStatus2) {
@@ -77,6 +86,12 @@ TEST_F(Cli, WrongUsageIsStatus2) {
     expectWrongUsage({"export", figureFile, "-o", file("a.vox")}, ".svo");
     expectWrongUsage({"compare", "a.png"}, "B");
     expectWrongUsage({"bench", "--only", "cast,soup"}, "soup");
+    expectWrongUsage({std::string(300, 'a')}, "neither a command nor a file");
+    expectWrongUsage({"edit", figureFile, "--content-scale", "nan"}, "--content-scale");
+    for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{
+             {"--up", "q"}, {"--voxels-per-unit", "nan"}, {"--slice-rows", "0"}}) {
+        expectWrongUsage({"convert", figureFile, "-o", file("a.qb"), option, value}, option);
+    }
     expectWrongUsage({"render", figureFile}, "--json");
     for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{
              {"--size", "512"},      {"--size", "0x5"},         {"--size", "99999x99999"},
@@ -92,6 +107,10 @@ TEST_F(Cli, WrongUsageIsStatus2) {
         EXPECT_EQ(result.status, 2) << option << " " << value << ": " << result.err;
         EXPECT_EQ(result.errorLines(), 1) << result.err;
         EXPECT_FALSE(result.json()["error"]["message"].get<std::string>().empty()) << option;
+    }
+    for (const char* fov : {"0", "1e308"}) {
+        expectWrongUsage({"render", figureFile, "-o", file("a.png"), "--fov", fov},
+                         "field of view");
     }
 }
 

@@ -1,0 +1,69 @@
+#include "app/cli/outputs.h"
+
+#include <CLI/Error.hpp>
+#include <algorithm>
+#include <system_error>
+
+#include "core/base/ending.h"
+#include "core/io/formats.h"
+#include "core/io/slices.h"
+
+namespace voxprite::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path wholeNameOf(const fs::path& path) {
+    std::error_code error;
+    const fs::path whole = fs::weakly_canonical(fs::absolute(path, error), error);
+    return error ? path.lexically_normal() : whole;
+}
+
+void requireName(const Output& output) {
+    if (output.path.empty()) throw CLI::ValidationError(output.option, "the name is empty");
+}
+
+// Is `path` read when `input` is?
+bool isReadFor(const fs::path& input, const fs::path& path) {
+    if (isSameFile(input, path)) return true;
+    std::error_code error;
+    if (!fs::exists(path, error)) return false;
+    if (fs::is_directory(input, error) || lowerEndingOf(input) == ".png") {
+        const Result<SliceFiles> layers = sliceFilesOf(input);
+        return layers && std::ranges::any_of(layers->files, [&](const fs::path& layer) {
+                   return isSameFile(layer, path);
+               });
+    }
+    const Result<Format> format = formatOf(input);
+    return format && infoOf(*format).refersTo != nullptr &&
+           isSameFile(input.parent_path() / path.filename(), path) &&
+           infoOf(*format).refersTo(input, path.filename().string());
+}
+
+}  // namespace
+
+bool isSameFile(const fs::path& a, const fs::path& b) {
+    std::error_code missing;
+    return fs::equivalent(a, b, missing) || wholeNameOf(a) == wholeNameOf(b);
+}
+
+void checkEnding(const Output& output, const std::vector<std::string>& endings) {
+    requireName(output);
+    const std::string ending = lowerEndingOf(output.path);
+    if (ending.empty() || std::ranges::find(endings, ending) != endings.end()) return;
+    throw CLI::ValidationError(output.option,
+                               "'" + output.path + "' must end in " + listed(endings));
+}
+
+void checkReplacesNone(const Output& output, const std::vector<std::string>& inputs) {
+    requireName(output);
+    for (const std::string& input : inputs) {
+        if (!isReadFor(input, output.path)) continue;
+        throw CLI::ValidationError(output.option,
+                                   "'" + output.path + "' is read" +
+                                       (input == output.path ? "" : " for '" + input + "'") +
+                                       " and would be lost; choose another name");
+    }
+}
+
+}  // namespace voxprite::cli

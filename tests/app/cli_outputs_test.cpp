@@ -1,0 +1,82 @@
+// What is written never takes the place of what is read, nor of another output.
+#include "core/io/formats.h"
+#include "core/io/png.h"
+#include "tests/app/cli_program.h"
+#include "tests/support/voxels.h"
+
+namespace voxprite::test {
+namespace {
+
+class CliOutputs : public CommandLine {
+  protected:
+    std::string saved(const std::string& name, const Document& document) const {
+        const Status status = saveDocument(file(name), document, GameProfile{});
+        EXPECT_TRUE(status) << status.error().describe();
+        return file(name);
+    }
+    // Wrong usage that names `part`; `kept` is as it was.
+    void expectRefused(const std::vector<std::string>& arguments, const std::string& part,
+                       const std::string& kept) const {
+        const std::string before = contentOf(kept);
+        const ProgramResult result = run(arguments);
+        EXPECT_EQ(result.status, 2) << arguments[0] << ": " << result.err;
+        EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+        EXPECT_EQ(contentOf(kept), before) << arguments[0];
+    }
+};
+
+TEST_F(CliOutputs, PicturesDoNotReplaceModels) {
+    const std::string vox = saved("hut.vox", documentOf(figure()));
+    expectRefused({"render", vox, "-o", vox}, "must end in .png", vox);
+    expectRefused({"render", vox, "--buffer", vox}, "must end in .png", vox);
+    expectRefused({"render", vox, "-o", ""}, "--output", vox);
+    const ProgramResult stream = run({"render", vox, "-o", "/dev/stdout", "--size", "8x8"});
+    EXPECT_EQ(stream.status, 0) << stream.err;
+    EXPECT_EQ(stream.out.substr(1, 3), "PNG");
+
+    const std::string strip = saved("strip.png", documentOf(figure()));
+    const std::string layer = saved("hut_000.png", documentOf(figure()));
+    const std::string linked = file("linked.png");
+    std::filesystem::create_symlink(strip, linked);
+    for (const char* command : {"render", "sheet", "palette"}) {
+        expectRefused({command, strip, "-o", strip}, "is read", strip);
+        expectRefused({command, strip, "-o", linked}, "is read", strip);
+        expectRefused({command, layer, "-o", file("hut_001.png")}, "is read", file("hut_001.png"));
+    }
+    expectRefused({"sheet", strip, "-o", file("s.png"), "--turntable", strip}, "--turntable",
+                  strip);
+    // The picture of a mesh's colours belongs to the mesh.
+    const std::string mesh = saved("m.obj", documentOf(figure()));
+    expectRefused({"render", mesh, "-o", file("m.png")}, "is read for", file("m.png"));
+    EXPECT_EQ(run({"palette", vox, "--remove-unused", "-o", vox}).status, 0) << "in its place";
+}
+
+TEST_F(CliOutputs, TwoDoNotHaveOneName) {
+    const std::string vox = saved("hut.vox", documentOf(figure()));
+    expectRefused({"render", vox, "-o", file("a.png"), "--buffer", file("./a.png")}, "--buffer",
+                  vox);
+    EXPECT_FALSE(std::filesystem::exists(file("a.png")));
+}
+
+TEST_F(CliOutputs, WhatTheReaderSaysIsPassedOn) {
+    // How many layers these are is not told by the picture.
+    const std::string strip = file("strip.png");
+    ASSERT_TRUE(writePngFile(strip, Image(2, 4, Rgba8(200, 0, 0, 255))));
+    const nlohmann::json told = run({"inspect", strip, "--json"}).json()["warnings"];
+    ASSERT_EQ(told.size(), 1u);
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"render", strip, "-o", file("r.png")},
+          {"sheet", strip, "-o", file("s.png"), "--directions", "1"},
+          {"palette", strip, "-o", file("p.gpl")},
+          {"export", strip, "-o", file("e.svo")}}) {
+        const ProgramResult text = run(command);
+        EXPECT_NE(text.out.find("warning: " + told[0].get<std::string>()), std::string::npos)
+            << command[0] << text.out;
+        std::vector<std::string> asJson = command;
+        asJson.emplace_back("--json");
+        EXPECT_EQ(run(asJson).json()["warnings"], told) << command[0];
+    }
+}
+
+}  // namespace
+}  // namespace voxprite::test
