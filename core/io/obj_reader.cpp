@@ -8,82 +8,112 @@
 #include <exception>
 #include <map>
 #include <sstream>
-#include <string_view>
 
 #include "core/base/srgb.h"
 #include "core/io/mesh_texture.h"
+#include "core/io/obj_statements.h"
 
 namespace voxprite {
 namespace {
 
-constexpr int kMostCorners = 255;
-constexpr std::string_view kSpace = " \t\r";
-
-// The statements that are read, each in its line. The others are emptied, not to be parsed: among
-// them are some whose counts tinyobjloader trusts. Faces of very many corners are refused, for
-// which it takes time beyond measure.
-Result<std::string> knownStatements(ByteView file) {
-    const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
-    std::string kept;
-    kept.reserve(text.size() + 1);
-    int number = 0;
-    for (std::size_t at = 0; at < text.size(); kept += '\n') {
-        ++number;
-        const std::size_t end = std::min(text.find('\n', at), text.size());
-        std::string_view line = text.substr(at, end - at);
-        at = end + 1;
-        line.remove_prefix(std::min(line.find_first_not_of(kSpace), line.size()));
-        const std::string_view name = line.substr(0, line.find_first_of(kSpace));
-        const bool known =
-            name == "v" || name == "vt" || name == "f" || name == "usemtl" || name == "mtllib";
-        if (!known || line.find('\0') != std::string_view::npos) continue;
-        if (name == "f") {
-            int corners = 0;
-            for (std::size_t k = 1; k < line.size(); ++k) {
-                const bool space = kSpace.find(line[k]) != std::string_view::npos;
-                corners += !space && kSpace.find(line[k - 1]) != std::string_view::npos;
-            }
-            if (corners > kMostCorners) {
-                return failAtLine(number, 1,
-                                  "a face has " + std::to_string(corners) + " corners; at most " +
-                                      std::to_string(kMostCorners) + " are read");
-            }
-        }
-        kept += line;
-    }
-    return kept;
-}
-
-std::string oneLine(std::string text) {
-    while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
-    std::ranges::replace(text, '\n', ' ');
-    return text;
-}
-
-// Opens .mtl files where ModelFolder allows it.
-class Materials : public tinyobj::MaterialReader {
+// What tinyobjloader calls the materials: their numbers in ObjStatements.
+class Numbers : public tinyobj::MaterialReader {
   public:
-    Materials(const ModelFolder& folder, std::vector<std::string>& warnings)
-        : folder_(folder), warnings_(warnings) {}
+    explicit Numbers(std::size_t count) : count_(count) {}
 
-    bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
+    bool operator()(const std::string& /*name*/, std::vector<tinyobj::material_t>* /*materials*/,
                     std::map<std::string, int>* indices, std::string* /*warn*/,
                     std::string* /*err*/) override {
-        const Result<Bytes> bytes = folder_.read(name);
-        if (!bytes) {
-            warnings_.push_back("materials are left out: " + bytes.error().message);
-            return true;
+        for (std::size_t k = 0; k < count_; ++k) {
+            indices->emplace(std::to_string(k), static_cast<int>(k));
         }
-        std::istringstream stream(std::string(bytes->begin(), bytes->end()));
-        std::string warning, error;
-        tinyobj::LoadMtl(indices, materials, &stream, &warning, &error);
-        if (!error.empty()) warnings_.push_back(name + ": " + oneLine(error));
         return true;
     }
 
   private:
-    const ModelFolder& folder_;
-    std::vector<std::string>& warnings_;
+    std::size_t count_;
+};
+
+// The materials of all libraries by their names.
+class Materials {
+  public:
+    // `named` is what follows a mtllib: one name with blanks, or several names.
+    void read(const std::string& named, const ModelFolder& folder,
+              std::vector<std::string>& warnings) {
+        const std::vector<std::string> words = namesIn(named);
+        Result<Bytes> whole = folder.read(withoutEscapes(named));
+        if (whole) return add(*whole);
+        std::vector<std::string> problems;
+        for (const std::string& word : words) {
+            const Result<Bytes> file = words.size() > 1 ? folder.read(word) : whole;
+            if (file) add(*file);
+            if (!file) problems.push_back(file.error().message);
+        }
+        if (problems.size() == words.size()) problems = {whole.error().message};
+        for (const std::string& problem : problems) {
+            warnings.push_back("materials are left out: " + problem);
+        }
+    }
+
+    // None where no library has it. What follows the name may be a note.
+    [[nodiscard]] const tinyobj::material_t* find(const std::string& name) const {
+        for (const std::size_t end : {name.size(), name.find(" #"), name.find_first_of(" \t")}) {
+            const std::string_view part = withoutBlanks(std::string_view(name).substr(0, end));
+            if (const auto found = materials_.find(part); found != materials_.end()) {
+                return &found->second;
+            }
+        }
+        return nullptr;
+    }
+
+  private:
+    // A backslash before a blank says that it belongs to the name.
+    static std::string withoutEscapes(const std::string& text) {
+        std::string plain;
+        for (std::size_t k = 0; k < text.size(); ++k) {
+            if (text[k] != '\\' || k + 1 == text.size() || text[k + 1] != ' ') plain += text[k];
+        }
+        return plain;
+    }
+
+    static std::vector<std::string> namesIn(const std::string& text) {
+        std::vector<std::string> names(1);
+        for (std::size_t k = 0; k < text.size(); ++k) {
+            const bool blank = text[k] == ' ' || text[k] == '\t';
+            if (!blank || (k > 0 && text[k - 1] == '\\')) {
+                names.back() += text[k];
+            } else if (!names.back().empty()) {
+                names.emplace_back();
+            }
+        }
+        for (std::string& name : names) name = withoutEscapes(name);
+        return names;
+    }
+
+    void add(ByteView file) {
+        std::string given(textWithoutMark(file)), text;
+        std::ranges::replace(given, '\r', '\n');
+        std::istringstream lines(given);
+        for (std::string line; std::getline(lines, line);) {
+            text += line + '\n';
+            const std::string_view statement = withoutBlanks(line);
+            // tinyobjloader's own would be black.
+            if (statement.substr(0, statement.find_first_of(" \t")) == "newmtl") {
+                text += "Kd 1 1 1\n";
+            }
+        }
+        std::istringstream stream(text);
+        std::map<std::string, int> indices;
+        std::vector<tinyobj::material_t> list;
+        std::string warning, error;
+        tinyobj::LoadMtl(&indices, &list, &stream, &warning, &error);
+        for (const auto& [name, index] : indices) {
+            if (name.empty()) continue;
+            materials_.emplace(withoutBlanks(name), list[static_cast<std::size_t>(index)]);
+        }
+    }
+
+    std::map<std::string, tinyobj::material_t, std::less<>> materials_;
 };
 
 glm::dvec3 linear(const double* srgb) {
@@ -99,16 +129,25 @@ class ObjReader {
   public:
     ObjReader(const ModelFolder& folder, MeshUpAxis up) : folder_(folder), up_(up) {}
 
-    Result<MeshImport> run(const std::string& text) {
-        std::istringstream stream(text);
-        Materials materials(folder_, import_.warnings);
-        std::string warning, error;
-        const bool read = tinyobj::LoadObj(&attributes_, &shapes_, &materials_, &warning, &error,
-                                           &stream, &materials, /*triangulate=*/true,
-                                           /*default_vcols_fallback=*/false);
-        if (!read) return fail(oneLine(error.empty() ? "the text cannot be read" : error));
+    Result<MeshImport> run(const ObjStatements& statements) {
+        Materials libraries;
+        for (const std::string& named : statements.libraries) {
+            libraries.read(named, folder_, import_.warnings);
+        }
+        for (const std::string& name : statements.materials) {
+            materials_.push_back(libraries.find(name));
+        }
+        warnOfUnknown(statements.materials);
         // The last is for faces without a material.
         uses_.resize(materials_.size() + 1);
+        std::istringstream stream("mtllib all\n" + statements.text);
+        Numbers numbers(materials_.size());
+        std::vector<tinyobj::material_t> none;
+        std::string warning, error;
+        const bool read = tinyobj::LoadObj(&attributes_, &shapes_, &none, &warning, &error, &stream,
+                                           &numbers, /*triangulate=*/true,
+                                           /*default_vcols_fallback=*/true);
+        if (!read) return fail(error.empty() ? "the text cannot be read" : onOneLine(error));
         for (const tinyobj::shape_t& shape : shapes_) {
             if (Status s = addShape(shape.mesh); !s) return Failure(s.error());
         }
@@ -121,6 +160,19 @@ class ObjReader {
         std::uint32_t index = 0;
         glm::dvec2 offset{0.0}, scale{1.0};
     };
+
+    void warnOfUnknown(const std::vector<std::string>& names) {
+        constexpr int kMostNamed = 8;
+        std::string list;
+        int unknown = 0;
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            if (materials_[k] != nullptr || ++unknown > kMostNamed) continue;
+            list += (list.empty() ? "\"" : ", \"") + onOneLine(names[k]) + '"';
+        }
+        if (unknown > kMostNamed) list += " and " + std::to_string(unknown - kMostNamed) + " more";
+        if (unknown > 0)
+            import_.warnings.push_back("materials that no .mtl has are white: " + list);
+    }
 
     Status addShape(const tinyobj::mesh_t& mesh) {
         const std::size_t triangles = mesh.indices.size() / 3;
@@ -145,33 +197,19 @@ class ObjReader {
 
     Result<MeshCorner> cornerAt(const tinyobj::index_t& index, const Use& use) const {
         MeshCorner corner;
+        // That indices are there and numbers are finite, objStatements() has seen to.
         const auto vertex = static_cast<std::size_t>(index.vertex_index);
-        if (index.vertex_index < 0 || 3 * vertex + 2 >= attributes_.vertices.size()) {
-            return fail("a face uses vertex " + std::to_string(index.vertex_index + 1) +
-                        "; the file has " + std::to_string(attributes_.vertices.size() / 3));
-        }
-        const double* position = &attributes_.vertices[3 * vertex];
-        constexpr double kMost = 1e30;
-        for (int k = 0; k < 3; ++k) {
-            if (!(std::abs(position[k]) <= kMost)) {
-                return fail("vertex " + std::to_string(vertex + 1) + " is not a number");
-            }
-        }
+        const double* position = &attributes_.vertices.at(3 * vertex);
         corner.position = {position[0], position[1], position[2]};
         if (up_ == MeshUpAxis::y) corner.position = {position[0], -position[2], position[1]};
-        if (3 * vertex + 2 < attributes_.colors.size()) {
-            corner.colour = glm::vec4(linear(&attributes_.colors[3 * vertex]), 1.0f);
-        }
+        corner.colour = glm::vec4(linear(&attributes_.colors.at(3 * vertex)), 1.0f);
         if (index.texcoord_index == -1) return corner;
         const auto point = static_cast<std::size_t>(index.texcoord_index);
-        if (index.texcoord_index < 0 || 2 * point + 1 >= attributes_.texcoords.size()) {
-            return fail("a face uses texture point " + std::to_string(index.texcoord_index + 1) +
-                        "; the file has " + std::to_string(attributes_.texcoords.size() / 2));
-        }
         const glm::dvec2 uv =
-            glm::dvec2(attributes_.texcoords[2 * point], attributes_.texcoords[2 * point + 1]) *
+            glm::dvec2(attributes_.texcoords.at(2 * point), attributes_.texcoords[2 * point + 1]) *
                 use.scale +
             use.offset;
+        constexpr double kMost = 1e30;
         if (!(std::abs(uv.x) <= kMost && std::abs(uv.y) <= kMost)) {
             return fail("texture point " + std::to_string(point + 1) + " is not a number");
         }
@@ -181,15 +219,15 @@ class ObjReader {
 
     // Reads the material when a triangle first uses it.
     const Use& useOf(int material) {
-        const bool known = material >= 0 && static_cast<std::size_t>(material) < materials_.size();
-        const std::size_t at = known ? static_cast<std::size_t>(material) : materials_.size();
+        const std::size_t at =
+            material >= 0 ? static_cast<std::size_t>(material) : materials_.size();
         Use& use = uses_[at];
         if (use.read) return use;
         use.read = true;
         use.index = static_cast<std::uint32_t>(import_.mesh.materials.size());
         MeshMaterial made;
-        if (known) {
-            const tinyobj::material_t& from = materials_[at];
+        if (material >= 0 && materials_[at] != nullptr) {
+            const tinyobj::material_t& from = *materials_[at];
             made.colour = glm::dvec4(linear(from.diffuse), 1.0);
             if (!from.diffuse_texname.empty()) addTexture(from, made, use);
         }
@@ -231,7 +269,7 @@ class ObjReader {
     MeshImport import_;
     tinyobj::attrib_t attributes_;
     std::vector<tinyobj::shape_t> shapes_;
-    std::vector<tinyobj::material_t> materials_;
+    std::vector<const tinyobj::material_t*> materials_;  // of ObjStatements; null is unknown
     std::vector<Use> uses_;
     std::map<std::string, int> textures_;
     std::uint64_t pixels_ = 0;
@@ -240,10 +278,10 @@ class ObjReader {
 }  // namespace
 
 Result<MeshImport> readObj(ByteView file, const ModelFolder& folder, MeshUpAxis up) {
-    const Result<std::string> text = knownStatements(file);
-    if (!text) return Failure(text.error());
+    const Result<ObjStatements> statements = objStatements(file);
+    if (!statements) return Failure(statements.error());
     try {
-        return ObjReader(folder, up).run(*text);
+        return ObjReader(folder, up).run(*statements);
     } catch (const std::exception& problem) {
         return fail(std::string("the text cannot be read: ") + problem.what());
     }

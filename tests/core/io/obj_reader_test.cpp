@@ -86,14 +86,89 @@ TEST(ObjReader, MaterialsComeFromBesideTheFile) {
 }
 
 TEST(ObjReader, WhatIsWrongIsNamed) {
-    EXPECT_THAT(errorOf(kSquare + "f 1 2 5\n"), HasSubstr("vertex 5; the file has 4"));
-    EXPECT_THAT(errorOf(kSquare + "f 1 2 -9\n"), HasSubstr("uses vertex"));
+    EXPECT_THAT(errorOf(kSquare + "f 1 2 5\n"),
+                HasSubstr("line 5, column 7: a face uses vertex 5; the file has 4"));
+    EXPECT_THAT(errorOf(kSquare + "f 1 2 -9\n"),
+                HasSubstr("line 5, column 7: a face uses vertex -9"));
     EXPECT_THAT(errorOf(kSquare + "f 0 1 2\n"), HasSubstr("line 5"));
-    EXPECT_THAT(errorOf(kSquare + "f 1/7 2/7 3/7\n"), HasSubstr("texture point 7; the file has 0"));
-    EXPECT_THAT(errorOf("v 1e999 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), HasSubstr("vertex 1 is not"));
+    EXPECT_THAT(errorOf(kSquare + "f 1/7 2/7 3/7\n"),
+                HasSubstr("line 5, column 5: a face uses texture point 7; the file has 0"));
+    for (const std::string word : {"1e999", "nan", "inf", "1,0", "-", "1e31"}) {
+        EXPECT_THAT(errorOf("v 1 0 0\r\nv " + word + " 0 0\n"),
+                    HasSubstr("line 2, column 3: \"" + word + "\" is not a number"));
+        EXPECT_THAT(errorOf("vt 0 " + word + "\n"), HasSubstr("line 1, column 6: "));
+    }
+    EXPECT_THAT(errorOf("v 1 0\n"), HasSubstr("line 1, column 1: \"v\" has 2 numbers"));
+    EXPECT_THAT(errorOf(kSquare + "f 1 2 3x\n"), HasSubstr("line 5, column 7: \"3x\""));
+    EXPECT_THAT(errorOf(kSquare + "f 1 2 \\\n  7\n"), HasSubstr("line 6, column 3: a face uses"));
     std::string face = "f";
     for (int k = 0; k < 300; ++k) face += " 1";
     EXPECT_THAT(errorOf(kSquare + face), HasSubstr("line 5, column 1: a face has 300 corners"));
+}
+
+TEST(ObjReader, NotesContinuedLinesAndMarksAreUnderstood) {
+    const std::string mark = "\xEF\xBB\xBF";
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+        std::string text = mark + "v 7 0 0#a\n" + kSquare +
+                           "# ends in \\\nf 2 3 \\\n 4\\\n5 # 9\nf 1 2 +3 # note\n";
+        for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;) {
+            text.replace(at, 1, end);
+            at += end.size();
+        }
+        const MeshImport import = must(parse(text));
+        ASSERT_EQ(import.mesh.triangles.size(), 3u);
+        EXPECT_EQ(import.mesh.triangles[2].corners[0].position, glm::dvec3(7, 0, 0));
+    }
+}
+
+TEST(ObjReader, VerticesWithoutColoursAreWhiteBesideOthers) {
+    const MeshImport import = must(parse("v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0\nf 1 2 3\n"));
+    EXPECT_EQ(import.mesh.triangles[0].corners[0].colour, glm::vec4(1, 0, 0, 1));
+    EXPECT_EQ(import.mesh.triangles[0].corners[2].colour, glm::vec4(1));
+}
+
+class ObjMaterials : public testing::Test {
+  protected:
+    void write(const std::string& name, const std::string& text) {
+        ASSERT_TRUE(writeFileAtomically(folder_ / name, text));
+    }
+    // Of a triangle behind these lines.
+    Rgba8 colour(const std::string& lines) {
+        const MeshImport import = must(
+            parse(kSquare + lines + "\nf 1 2 3\n", MeshUpAxis::y, ModelFolder(folder_ / "m.obj")));
+        warnings_ = import.warnings;
+        return colourAt(import.mesh, import.mesh.triangles[0], glm::dvec3(1.0 / 3.0)).value();
+    }
+    TemporaryFolder folder_;
+    std::vector<std::string> warnings_;
+    const Rgba8 red_{255, 0, 0, 255}, blue_{0, 0, 255, 255};
+};
+
+TEST_F(ObjMaterials, LibrariesHaveBlanksInTheirNamesOrAreSeveral) {
+    write("my model.mtl", "\xEF\xBB\xBFnewmtl red\nKd 1 0 0\n");
+    write("b.mtl", "newmtl blue\rKd 0 0 1\r");
+    EXPECT_EQ(colour("mtllib my model.mtl\nusemtl red"), red_);
+    EXPECT_EQ(colour("mtllib my\\ model.mtl\nusemtl red"), red_);
+    EXPECT_TRUE(warnings_.empty());
+    EXPECT_EQ(colour("mtllib my\\ model.mtl b.mtl\nusemtl blue"), blue_);
+    EXPECT_TRUE(warnings_.empty());
+    EXPECT_EQ(colour("usemtl blue\nmtllib x.mtl b.mtl"), blue_);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"x.mtl\"")));
+    EXPECT_EQ(colour("mtllib not there.mtl"), Rgba8(255));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"not there.mtl\"")));
+}
+
+TEST_F(ObjMaterials, NamesAreWholeLinesAndUnknownOnesAreTold) {
+    write("a.mtl",
+          "newmtl dark red\nKd 1 0 0\nnewmtl dark\nKd 0 0 1\nnewmtl Material #25\nKd 1 0 0\n"
+          "newmtl bare\nNs 4\n");
+    EXPECT_EQ(colour("mtllib a.mtl\nusemtl dark red"), red_);
+    EXPECT_EQ(colour("mtllib a.mtl\nusemtl \tdark  # a note"), blue_);
+    EXPECT_EQ(colour("mtllib a.mtl\nusemtl Material #25"), red_);
+    EXPECT_EQ(colour("mtllib a.mtl\nusemtl bare"), Rgba8(255)) << "has no Kd";
+    EXPECT_TRUE(warnings_.empty());
+    EXPECT_EQ(colour("usemtl pale red\nusemtl dark"), Rgba8(255));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("white: \"pale red\", \"dark\"")));
 }
 
 // Statements that are not read are not parsed: tinyobjloader would take gigabytes for these tags.
