@@ -1,6 +1,7 @@
 #include "core/io/gltf_buffers.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "core/base/file.h"
@@ -12,7 +13,6 @@ namespace {
 constexpr std::uint32_t kMagic = 0x46546C67;   // "glTF"
 constexpr std::uint32_t kJson = 0x4E4F534A;    // "JSON"
 constexpr std::uint32_t kBinary = 0x004E4942;  // "BIN"
-// The component types of the specification.
 
 int bytesOf(int type) {
     switch (type) {
@@ -35,6 +35,7 @@ int componentsOf(const std::string& type) {
     if (type == "VEC2") return 2;
     if (type == "VEC3") return 3;
     if (type == "VEC4") return 4;
+    if (type == "MAT4") return 16;
     return 0;
 }
 
@@ -246,9 +247,6 @@ GltfAccessor GltfBuffers::accessor(const JsonValue& reference) {
     const JsonValue& place = accessorJson_[elementIn(accessorJson_, reference, "accessors")];
     JsonObject json(place);
     if (json.find("sparse")) place.fail("sparse accessors are not read");
-    const auto viewReference = json.find("bufferView");
-    if (!viewReference) place.fail("has no buffer view");
-    const ByteView bytes = view(*viewReference);
     GltfAccessor accessor;
     accessor.type_ = json.need("componentType").integer();
     accessor.components_ = componentsOf(json.need("type").text());
@@ -256,7 +254,17 @@ GltfAccessor GltfBuffers::accessor(const JsonValue& reference) {
     if (width == 0) place.fail("its component type is not known");
     if (accessor.components_ == 0) place.fail("its type is none that meshes use");
     json.read("normalized", accessor.normalized_);
+    const std::uint64_t count = json.need("count").unsigned64();
+    accessor.count_ = static_cast<std::size_t>(count);
     const auto element = static_cast<std::uint64_t>(width * accessor.components_);
+    const auto viewReference = json.find("bufferView");
+    if (!viewReference) {
+        // All zeros: one element stands for every one.
+        static constexpr std::array<std::uint8_t, 16 * sizeof(float)> kZeros{};
+        accessor.data_ = kZeros.data();
+        return accessor;
+    }
+    const ByteView bytes = view(*viewReference);
     std::uint64_t stride = element;
     JsonObject viewJson(viewJson_[static_cast<std::size_t>(viewReference->integer())]);
     if (const auto given = viewJson.find("byteStride")) {
@@ -265,12 +273,10 @@ GltfAccessor GltfBuffers::accessor(const JsonValue& reference) {
     }
     const auto offsetJson = json.find("byteOffset");
     const std::uint64_t offset = offsetJson ? offsetJson->unsigned64() : 0;
-    const std::uint64_t count = json.need("count").unsigned64();
     const bool fits = count == 0 || (offset <= bytes.size() && element <= bytes.size() - offset &&
                                      count - 1 <= (bytes.size() - offset - element) / stride);
     if (!fits) place.fail("reaches beyond its buffer view");
     accessor.data_ = bytes.data() + (count == 0 ? 0 : offset);
-    accessor.count_ = static_cast<std::size_t>(count);
     accessor.stride_ = static_cast<std::size_t>(stride);
     return accessor;
 }

@@ -22,7 +22,8 @@ struct GltfContainer {
 };
 [[nodiscard]] Result<GltfContainer> gltfContainer(ByteView file);
 
-// Numbers in a buffer: `count` elements of `components` each, all within the buffer.
+// Numbers in a buffer: `count` elements of `components` each, all within the buffer. Of an accessor
+// without a buffer view all are 0, and `count` is bounded by nothing.
 class GltfAccessor {
   public:
     [[nodiscard]] std::size_t count() const { return count_; }

@@ -74,18 +74,27 @@ std::uint32_t GltfMaterials::indexOf(const std::optional<JsonValue>& reference) 
 }
 
 void GltfMaterials::read(JsonObject& json, MeshMaterial& material, GltfMaterialUse& use) {
-    if (const auto pbr = json.find("pbrMetallicRoughness")) {
-        JsonObject fields(*pbr);
-        if (const auto factor = fields.find("baseColorFactor")) {
+    auto look = json.find("pbrMetallicRoughness");
+    const char *factorKey = "baseColorFactor", *textureKey = "baseColorTexture";
+    // The older way; what stands beside it is for those who do not know it.
+    if (const auto extensions = json.find("extensions")) {
+        JsonObject named(*extensions);
+        if (const auto older = named.find("KHR_materials_pbrSpecularGlossiness")) {
+            look = older;
+            factorKey = "diffuseFactor";
+            textureKey = "diffuseTexture";
+        }
+    }
+    if (look) {
+        JsonObject fields(*look);
+        if (const auto factor = fields.find(factorKey)) {
             const std::vector<JsonValue> numbers = factor->list(4);
             for (int k = 0; k < 4; ++k) {
                 material.colour[k] =
                     std::clamp(numbers[static_cast<std::size_t>(k)].number(), 0.0, 1.0);
             }
         }
-        if (const auto texture = fields.find("baseColorTexture")) {
-            readTexture(*texture, material, use);
-        }
+        if (const auto texture = fields.find(textureKey)) readTexture(*texture, material, use);
     }
     std::string alpha = "OPAQUE";
     json.read("alphaMode", alpha);

@@ -12,6 +12,7 @@
 
 #include "core/io/gltf_buffers.h"
 #include "core/io/gltf_materials.h"
+#include "core/io/gltf_skin.h"
 
 namespace voxprite {
 namespace {
@@ -64,15 +65,25 @@ class GltfReader {
     GltfReader(const JsonValue& root, std::optional<ByteView> binary, const ModelFolder& folder)
         : root_(root),
           buffers_(root_, binary, folder),
-          materials_(root_, buffers_, folder, import_) {}
+          materials_(root_, buffers_, folder, import_),
+          skins_(root_, buffers_) {}
 
     MeshImport run() {
         checkHeader();
         if (const auto nodes = root_.find("nodes")) nodes_ = nodes->list();
         if (const auto meshes = root_.find("meshes")) meshes_ = meshes->list();
         walk();
+        for (const Placed& placed : placed_) addMesh(placed);
         if (root_.find("animations")) {
             import_.warnings.emplace_back("animations are left out: the mesh is in its rest pose");
+        }
+        if (instanced_) {
+            import_.warnings.emplace_back(
+                "EXT_mesh_gpu_instancing is not read: meshes of many instances are shown once");
+        }
+        if (unplacedSkins_) {
+            import_.warnings.emplace_back(
+                "skins with joints outside of the scene are left out: their meshes stay in place");
         }
         if (skipped_ > 0) {
             import_.warnings.push_back(std::to_string(skipped_) +
@@ -113,10 +124,16 @@ class GltfReader {
         std::size_t node = 0;
         glm::dmat4 worldFromParent{1.0};
     };
+    struct Placed {
+        JsonValue mesh;
+        std::optional<JsonValue> skin;
+        glm::dmat4 world{1.0};
+    };
 
     void walk() {
         std::vector<Visit> waiting;
         std::vector<bool> seen(nodes_.size());
+        worldFromNode_.resize(nodes_.size());
         const auto reach = [&](const JsonValue& reference, const glm::dmat4& worldFromParent) {
             const int last = static_cast<int>(nodes_.size()) - 1;
             if (last < 0) reference.fail("the file has no nodes");
@@ -148,10 +165,13 @@ class GltfReader {
             waiting.pop_back();
             JsonObject node(nodes_[visit.node]);
             const glm::dmat4 world = visit.worldFromParent * transformOf(node);
-            if (const auto mesh = node.find("mesh")) addMesh(*mesh, world);
-            if (node.find("skin") && !skins_) {
-                import_.warnings.emplace_back("skins are left out: the mesh is in its rest pose");
-                skins_ = true;
+            worldFromNode_[visit.node] = world;
+            if (const auto mesh = node.find("mesh")) {
+                placed_.push_back({*mesh, node.find("skin"), world});
+                if (const auto extensions = node.find("extensions")) {
+                    instanced_ =
+                        instanced_ || JsonObject(*extensions).find("EXT_mesh_gpu_instancing");
+                }
             }
             const std::size_t from = waiting.size();
             if (const auto children = node.find("children")) {
@@ -179,16 +199,24 @@ class GltfReader {
         return orphans;
     }
 
-    void addMesh(const JsonValue& reference, const glm::dmat4& world) {
+    void addMesh(const Placed& placed) {
+        const JsonValue& reference = placed.mesh;
         if (meshes_.empty()) reference.fail("the file has no meshes");
         const int last = static_cast<int>(meshes_.size()) - 1;
         JsonObject mesh(meshes_[static_cast<std::size_t>(reference.integer(0, last))]);
+        const GltfSkins::Matrices* joints = nullptr;
+        if (placed.skin) {
+            joints = skins_.jointsOf(*placed.skin, worldFromNode_);
+            unplacedSkins_ = unplacedSkins_ || joints == nullptr;
+        }
         for (const JsonValue& primitive : mesh.need("primitives").list()) {
-            addPrimitive(primitive, world);
+            addPrimitive(primitive, placed.world, joints);
         }
     }
 
-    void addPrimitive(const JsonValue& place, const glm::dmat4& world) {
+    // With joints the node's own place says nothing.
+    void addPrimitive(const JsonValue& place, const glm::dmat4& worldFromMesh,
+                      const GltfSkins::Matrices* joints) {
         JsonObject json(place);
         int mode = kTriangles;
         json.read("mode", mode);
@@ -217,6 +245,13 @@ class GltfReader {
         if (const auto found = attributes.find("COLOR_0")) {
             colours = matching(*found, positions, 3, 4);
         }
+        std::optional<GltfWeights> weights;
+        if (joints != nullptr) {
+            weights.emplace(attributes, *joints, [&](const JsonValue& attribute) {
+                return matching(attribute, positions, 4, 4);
+            });
+            if (weights->empty()) weights.reset();
+        }
         std::optional<GltfAccessor> indices;
         const auto indexPlace = json.find("indices");
         if (indexPlace) {
@@ -230,13 +265,21 @@ class GltfReader {
             place.fail("more than " + std::to_string(kMaxMeshTriangles) +
                        " triangles are not read");
         }
-        const bool mirrored = glm::determinant(glm::dmat3(world)) < 0.0;
-        const auto cornerAt = [&](std::size_t k) {
+        const auto isMirrored = [](const glm::dmat4& world) {
+            return glm::determinant(glm::dmat3(world)) < 0.0;
+        };
+        const bool meshMirrored = isMirrored(worldFromMesh);
+        const auto vertexAt = [&](std::size_t k) {
             const std::size_t at = indices ? indices->index(k) : k;
             if (at >= positions.count()) {
                 indexPlace->fail("index " + std::to_string(at) + " is beyond the " +
                                  std::to_string(positions.count()) + " vertices");
             }
+            return at;
+        };
+        const auto cornerAt = [&](std::size_t k) {
+            const std::size_t at = vertexAt(k);
+            const glm::dmat4 world = weights ? weights->worldFromVertex(at) : worldFromMesh;
             MeshCorner corner;
             const glm::dvec4 position(positions.number(at, 0), positions.number(at, 1),
                                       positions.number(at, 2), 1.0);
@@ -253,6 +296,8 @@ class GltfReader {
             std::array<std::size_t, 3> at{3 * k, 3 * k + 1, 3 * k + 2};
             if (mode == kStrip) at = {k, k + 1 + k % 2, k + 2 - k % 2};
             if (mode == kFan) at = {k + 1, k + 2, 0};
+            const bool mirrored =
+                weights ? isMirrored(weights->worldFromVertex(vertexAt(at[0]))) : meshMirrored;
             if (mirrored) std::swap(at[1], at[2]);
             import_.mesh.triangles.push_back(
                 {{cornerAt(at[0]), cornerAt(at[1]), cornerAt(at[2])}, material});
@@ -291,9 +336,12 @@ class GltfReader {
     JsonObject root_;
     GltfBuffers buffers_;
     GltfMaterials materials_;
+    GltfSkins skins_;
     std::vector<JsonValue> nodes_, meshes_;
+    std::vector<std::optional<glm::dmat4>> worldFromNode_;  // of those that the scene reaches
+    std::vector<Placed> placed_;
     int skipped_ = 0;
-    bool skins_ = false, targets_ = false;
+    bool targets_ = false, instanced_ = false, unplacedSkins_ = false;
 };
 
 }  // namespace

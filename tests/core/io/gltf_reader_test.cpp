@@ -152,6 +152,85 @@ TEST(GltfReader, MaterialsColourTheMesh) {
     EXPECT_EQ(moved(R"("rotation":1.5707963267948966,"offset":[0.3,0.7])"), image.at(0, 1));
 }
 
+TEST(GltfReader, TheOlderWayOfMaterialsIsRead) {
+    const MeshImport import = read(triangleGlb(
+        R"([{"mesh":0}])",
+        R"(,"extensionsRequired":["KHR_materials_pbrSpecularGlossiness"],"materials":[{)"
+        R"("pbrMetallicRoughness":{"baseColorFactor":[0,0,1,1]},"extensions":{)"
+        R"("KHR_materials_pbrSpecularGlossiness":{"diffuseFactor":[1,0,0,1]}}}])",
+        R"(,"material":0)"));
+    EXPECT_EQ(colourAt(import.mesh, import.mesh.triangles.at(0), glm::dvec3(1.0 / 3.0)),
+              Rgba8(255, 0, 0, 255));
+}
+
+// A triangle (0,0,0), (4,0,0), (0,2,0) whose corners hang on joint 0, on joint 1, and on both.
+Bytes skinnedGlb(const std::string& nodes, const std::string& skin) {
+    Chunk chunk;
+    chunk.floats({0, 0, 0, 4, 0, 0, 0, 2, 0});
+    chunk.floats({1, 0, 0, 0, 1, 0, 0, 0, 0.5f, 0.5f, 0, 0});
+    chunk.shorts({0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0});
+    // Both joints were bound at (-1, 0, 0).
+    for (int k = 0; k < 2; ++k) chunk.floats({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 1});
+    return glb(R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0,1]}],"nodes":)" + nodes +
+                   R"(,"skins":[)" + skin +
+                   R"(],"meshes":[{"primitives":[{"attributes":)"
+                   R"({"POSITION":0,"WEIGHTS_0":1,"JOINTS_0":2}}]}],"accessors":[)"
+                   R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},)"
+                   R"({"bufferView":1,"componentType":5126,"count":3,"type":"VEC4"},)"
+                   R"({"bufferView":2,"componentType":5123,"count":3,"type":"VEC4"},)"
+                   R"({"bufferView":3,"componentType":5126,"count":2,"type":"MAT4"}],)"
+                   R"("bufferViews":[{"buffer":0,"byteLength":36},)"
+                   R"({"buffer":0,"byteOffset":36,"byteLength":48},)"
+                   R"({"buffer":0,"byteOffset":84,"byteLength":24},)"
+                   R"({"buffer":0,"byteOffset":108,"byteLength":128}],)"
+                   R"("buffers":[{"byteLength":236}]})",
+               chunk.bytes());
+}
+
+TEST(GltfReader, SkinsHangOnTheirJointsAndNotOnTheirNode) {
+    // The node lies down and is large, which says nothing; joint 1 is 10 above joint 0.
+    const std::string nodes =
+        R"([{"mesh":0,"skin":0,"scale":[9,9,9],"rotation":[0.7071068,0,0,0.7071068]},)"
+        R"({"children":[2]},{"translation":[0,10,0]},{}])";
+    const std::string bind = R"("inverseBindMatrices":3)";
+    const MeshImport import = read(skinnedGlb(nodes, R"({"joints":[1,2],)" + bind + "}"));
+    ASSERT_EQ(import.mesh.triangles.size(), 1u);
+    EXPECT_TRUE(import.warnings.empty());
+    const auto& c = import.mesh.triangles[0].corners;
+    expectNear(c[0].position, {1, 0, 0});
+    expectNear(c[1].position, {5, 0, 10});
+    expectNear(c[2].position, {1, 0, 7});
+    const auto& bare = read(skinnedGlb(nodes, R"({"joints":[1,2]})")).mesh.triangles[0].corners;
+    expectNear(bare[1].position, {4, 0, 10});
+    const auto warned = read(skinnedGlb(nodes, R"({"joints":[1,3]})")).warnings;
+    EXPECT_THAT(warned, ElementsAre(HasSubstr("outside of the scene")));
+    EXPECT_THAT(errorOf(skinnedGlb(nodes, R"({"joints":[1]})")), HasSubstr("JOINTS_0: a joint is"));
+    EXPECT_THAT(errorOf(skinnedGlb(nodes, R"({"joints":[1,2,2],)" + bind + "}")),
+                HasSubstr("fewer matrices"));
+}
+
+TEST(GltfReader, NumbersWithoutBytesAreZero) {
+    const auto file = [](const std::string& count) {
+        const std::string text =
+            R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[)"
+            R"({"attributes":{"POSITION":0}}]}],"accessors":[{"componentType":5126,"count":)" +
+            count + R"(,"type":"VEC3"}]})";
+        return glb(text, {});
+    };
+    const MeshImport import = read(file("3"));
+    ASSERT_EQ(import.mesh.triangles.size(), 1u);
+    for (const MeshCorner& corner : import.mesh.triangles[0].corners) {
+        EXPECT_EQ(corner.position, glm::dvec3(0));
+    }
+    EXPECT_THAT(errorOf(file("1000000000000000")), HasSubstr("more than 4194304 triangles"));
+}
+
+TEST(GltfReader, InstancesThatAreNotReadAreTold) {
+    const MeshImport import = read(
+        triangleGlb(R"([{"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{}}}}])"));
+    EXPECT_THAT(import.warnings, ElementsAre(HasSubstr("EXT_mesh_gpu_instancing")));
+}
+
 TEST(GltfReader, OtherFilesAreBesideOrBelow) {
     const TemporaryFolder folder;
     std::filesystem::create_directories(folder / "model/sub");
