@@ -19,7 +19,8 @@
 //
 // Space       A grid's index space is entity space as it stands; transforms are not applied (they
 //             are linear ones; grids of a camera's frustum are refused). An object's model has
-//             the bounds of its voxels for a canvas, which begins at -floor(size / 2).
+//             the bounds of its voxels for a canvas, which begins at -floor(size / 2), or near it
+//             where there are very many voxels.
 // Written     An Int32 grid an object that is seen in the first frame, under its name, turned as it
 //             stands, with VoxelSize for a transform; and in the file's metadata "voxprite", the
 //             text of a project (core/io/project_json.h) with palette, entity and sockets, so that

@@ -79,4 +79,16 @@ Rgba8 Colours::at(glm::ivec3 v) const {
     return {0, 0, 0, 255};
 }
 
+std::optional<Rgba8> Colours::over(const IBox& cube) const {
+    if (levels_.empty()) return Rgba8(0, 0, 0, 255);
+    for (const Level& level : levels_) {
+        if (level.edge < cube.size().x) continue;
+        const auto found = level.cubes.find(keyOf(cubeOf(cube.min, level.edge)));
+        if (found == level.cubes.end()) continue;
+        if (found->second.size() == 1) return found->second[0];
+        return std::nullopt;
+    }
+    return std::nullopt;
+}
+
 }  // namespace voxprite::vdb

@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
+#include "core/base/box.h"
 #include "core/base/image.h"
 #include "core/base/result.h"
 #include "core/io/vdb_file.h"
@@ -20,6 +22,9 @@ class Colours {
     [[nodiscard]] static Result<Colours> of(const Grid& grid, const VoxelGrid& voxels);
     // Alpha 255; black where the grid has nothing.
     [[nodiscard]] Rgba8 at(glm::ivec3 v) const;
+    // The one colour of a cube, where a tile of the grid covers it or the grid has nothing at all.
+    // Its edge is a power of two, and it is aligned to that.
+    [[nodiscard]] std::optional<Rgba8> over(const IBox& cube) const;
 
   private:
     // Cubes of one edge, by place: one colour, or one for each of their cells.

@@ -1,6 +1,7 @@
 // Which grids of a .vdb file become voxels, and how.
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <set>
 
 #include "core/io/colour_reduction.h"
@@ -64,6 +65,46 @@ Result<VoxelGrid> voxelsOf(const Grid& grid, GridBudget& budget, const Pick& pic
     return voxels.release();
 }
 
+// Goes through all voxels. Those of one value that lie in a tile of the colours are cubes of one
+// colour: cube(box, colour). The others come as blocks of eight: block(origin, values), with no
+// values where all are solid. Ends, and is false, where one of the two is.
+template <class Cube, class Block>
+bool forEachColoured(const VoxelGrid& voxels, const vdb::Colours& colours, const Cube& cube,
+                     const Block& block) {
+    bool go = true;
+    const std::function<void(const IBox&)> split = [&](const IBox& box) {
+        if (const auto colour = colours.over(box)) {
+            go = cube(box, *colour);
+            return;
+        }
+        if (box.size().x == 8) {
+            go = block(box.min, nullptr);
+            return;
+        }
+        const int part = box.size().x / 8;
+        for (int n = 0; go && n < 512; ++n) {
+            const glm::ivec3 at = box.min + glm::ivec3(n >> 6, n >> 3 & 7, n & 7) * part;
+            split({at, at + part});
+        }
+    };
+    voxels.forEachBlock([&](const VoxelBlock& stored) {
+        if (!go) return;
+        if (stored.voxels == nullptr) return split(stored.box());
+        go = block(stored.origin, stored.voxels);
+    });
+    return go;
+}
+
+// Calls visit(v) for what is solid of a block.
+template <class Visit>
+bool forEachIn(glm::ivec3 origin, const std::uint8_t* values, const Visit& visit) {
+    for (int n = 0; n < 512; ++n) {
+        if (values != nullptr && values[n] == 0) continue;
+        if (!visit(origin + glm::ivec3(n >> 6, n >> 3 & 7, n & 7))) return false;
+    }
+    return true;
+}
+
 class Import {
   public:
     Import(const vdb::File& file, const VdbReadOptions& options, std::uint64_t fileBytes)
@@ -119,11 +160,25 @@ class Import {
         return {};
     }
 
+    // The middle. Blocks that are moved off their own grid take up to eight times the memory, and
+    // large ones of one value far more, which the budget does not know: where there are many the
+    // middle is rounded.
+    glm::ivec3 pivotOf(const VoxelGrid& voxels, const IBox& bounds) {
+        constexpr std::uint64_t kFew = 1 << 16;
+        const glm::ivec3 middle = bounds.min + bounds.size() / 2;
+        movedCubes_ += voxels.cubeCount();
+        if (movedCubes_ <= kFew) return middle;
+        int step = 8;
+        voxels.forEachBlock([&](const VoxelBlock& block) {
+            if (block.voxels == nullptr) step = std::max(step, block.edgeVoxels);
+        });
+        return middle & -step;
+    }
+
     void add(const Grid& grid, VoxelGrid voxels) {
         used_.insert(&grid);
         const IBox bounds = voxels.bounds();
-        const glm::ivec3 size = bounds.empty() ? glm::ivec3(0) : bounds.size();
-        const glm::ivec3 pivot = bounds.empty() ? glm::ivec3(0) : bounds.min + size / 2;
+        const glm::ivec3 pivot = bounds.empty() ? glm::ivec3(0) : pivotOf(voxels, bounds);
         Model model;
         model.canvas = {bounds.empty() ? glm::ivec3(0) : bounds.min - pivot,
                         bounds.empty() ? glm::ivec3(0) : bounds.max - pivot};
@@ -250,14 +305,38 @@ class Import {
     Status coloured(const Grid& shape, const VoxelGrid& voxels, const Grid& colours) {
         Result<vdb::Colours> field = vdb::Colours::of(colours, voxels);
         if (!field) return Failure(field.error());
+        // A block of many colours is one in memory, too.
+        std::uint64_t blocks = 0;
+        bool fits = forEachColoured(
+            voxels, *field, [](const IBox&, Rgba8) { return true; },
+            [&](glm::ivec3, const std::uint8_t*) { return budget_.has(++blocks); });
+        if (!fits) return fail(GridBudget::refusal());
         ColourCount count;
-        voxels.forEachSolid([&](glm::ivec3 v, std::uint8_t) { count.add(field->at(v)); });
+        forEachColoured(
+            voxels, *field,
+            [&](const IBox& cube, Rgba8 colour) {
+                const auto edge = static_cast<std::uint64_t>(cube.size().x);
+                count.add(colour, edge * edge * edge);
+                return true;
+            },
+            [&](glm::ivec3 origin, const std::uint8_t* values) {
+                return forEachIn(origin, values, [&](glm::ivec3 v) {
+                    count.add(field->at(v));
+                    return true;
+                });
+            });
         const ReducedColours reduced = reduceColours(count);
         BudgetedGrid painted(budget_);
-        bool fits = true;
-        voxels.forEachSolid([&](glm::ivec3 v, std::uint8_t) {
-            fits = fits && painted.set(v, reduced.indexOf(field->at(v)));
-        });
+        fits = forEachColoured(
+            voxels, *field,
+            [&](const IBox& cube, Rgba8 colour) {
+                return painted.fill(cube, reduced.indexOf(colour));
+            },
+            [&](glm::ivec3 origin, const std::uint8_t* values) {
+                return forEachIn(origin, values, [&](glm::ivec3 v) {
+                    return painted.set(v, reduced.indexOf(field->at(v)));
+                });
+            });
         if (!fits) return fail(GridBudget::refusal());
         document().palette = reduced.palette;
         warn("colours are those of the grid \"" + colours.name + "\", taken as sRGB");
@@ -280,6 +359,7 @@ class Import {
     const VdbReadOptions& options_;
     GridBudget budget_;
     VdbImport import_;
+    std::uint64_t movedCubes_ = 0;
     std::set<const Grid*> used_;
 };
 

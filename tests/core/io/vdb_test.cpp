@@ -160,6 +160,39 @@ TEST(Vdb, HugeCubesStayCubes) {
     EXPECT_LT(document.models[0].voxels.bytes(), std::size_t{64} << 20);
 }
 
+// Cubes of one colour are not gone through voxel by voxel.
+TEST(Vdb, HugeCubesHaveColours) {
+    const auto colours = named<openvdb::Vec3SGrid>("Cd");
+    colours->sparseFill({{0, 0, 0}, {4095, 4095, 4095}}, openvdb::Vec3s(1.0f, 0.0f, 0.0f), true);
+    const auto density = named<openvdb::FloatGrid>("density");
+    density->sparseFill({{0, 0, 0}, {4095, 4095, 4095}}, 1.0f, true);
+    for (const auto& file : {fileOf({colours}, 0), fileOf({density, colours}, 0)}) {
+        const Document document = must(readVdb(file)).document;
+        EXPECT_EQ(document.models[0].voxels.solidCount(), std::uint64_t{1} << 36);
+        EXPECT_EQ(document.palette.colours[EntitySampler(document, 0).at({9, 9, 9})],
+                  Rgba8(255, 0, 0, 255));
+    }
+    const auto spot = named<openvdb::Vec3SGrid>("Cd");
+    spot->tree().setValueOn({5, 5, 5}, openvdb::Vec3s(1.0f, 0.0f, 0.0f));
+    const auto refused = readVdb(fileOf({density, spot}, 0));
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message, HasSubstr("more memory"));
+}
+
+// A voxel beside them moves the middle off their corners.
+TEST(Vdb, HugeCubesStayCubesWhateverLiesBesideThem) {
+    const auto grid = named<openvdb::Int32Grid>("blocks");
+    for (const int at : {0, 8192, 16384}) {
+        grid->sparseFill({{at, 0, 0}, {at + 4095, 4095, 4095}}, 7, true);
+    }
+    grid->tree().setValueOn({-1, -1, -1}, 7);
+    const Document document = must(readVdb(fileOf({grid}, 0))).document;
+    EXPECT_LT(document.models[0].voxels.bytes(), std::size_t{64} << 20);
+    EXPECT_EQ(document.models[0].voxels.solidCount(), (std::uint64_t{3} << 36) + 1);
+    EXPECT_EQ(EntitySampler(document, 0).at({-1, -1, -1}), 7);
+    EXPECT_EQ(EntitySampler(document, 0).at({-1, 0, 0}), 0);
+}
+
 TEST(Vdb, WhatIsWrittenOpenVdbReads) {
     const Document busy = test::busyDocument();
     const Bytes bytes = must(writeVdb(busy, busy.authored));
