@@ -1,5 +1,6 @@
 #include "core/io/apng.h"
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -41,10 +42,16 @@ Bytes frameControl(std::uint32_t number, const AnimationFrame& frame) {
     putBigEndian(control, static_cast<std::uint32_t>(frame.image.height), 4);
     putBigEndian(control, 0, 4);  // left and top
     putBigEndian(control, 0, 4);
-    putBigEndian(control, static_cast<std::uint32_t>(frame.milliseconds), 2);
-    putBigEndian(control, 1000, 2);  // the unit of the line above: parts of a second
-    putBigEndian(control, 0, 1);     // afterwards the picture stays
-    putBigEndian(control, 0, 1);     // until it is replaced, alpha and all
+    // A count of parts of a second, and how many of them a second has.
+    std::uint32_t parts = 1000;
+    const auto count = [&] {
+        return static_cast<std::uint64_t>(frame.milliseconds) * parts / 1000;
+    };
+    while (parts > 1 && count() > 65'535) parts /= 10;
+    putBigEndian(control, static_cast<std::uint32_t>(std::min<std::uint64_t>(count(), 65'535)), 2);
+    putBigEndian(control, parts, 2);
+    putBigEndian(control, 0, 1);  // afterwards the picture stays
+    putBigEndian(control, 0, 1);  // until it is replaced, alpha and all
     return control;
 }
 
@@ -60,8 +67,8 @@ Result<Bytes> writeApng(std::span<const AnimationFrame> frames) {
         if (frame.image.width != first.width || frame.image.height != first.height) {
             return fail("frame " + std::to_string(k) + " has another size than the first");
         }
-        if (frame.milliseconds < 1 || frame.milliseconds > 65'535) {
-            return fail("frame " + std::to_string(k) + " must last 1 to 65535 milliseconds");
+        if (frame.milliseconds < 1) {
+            return fail("frame " + std::to_string(k) + " must last a millisecond at least");
         }
         const Result<Bytes> png = writePng(frame.image);
         if (!png) return png;

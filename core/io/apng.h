@@ -12,10 +12,11 @@ namespace voxprite {
 
 struct AnimationFrame {
     Image image;
-    int milliseconds = 100;  // 1 ... 65,535
+    int milliseconds = 100;  // at least 1
 };
 
-// Plays for ever. Frames of one size, at least one; fails else, and as writePng does.
+// Plays for ever. Frames of one size, at least one; fails else, and as writePng does. Times above
+// 65 seconds are held to hundredths of a second, and longer ones more coarsely.
 [[nodiscard]] Result<Bytes> writeApng(std::span<const AnimationFrame> frames);
 
 }  // namespace voxprite

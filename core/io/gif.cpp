@@ -48,7 +48,7 @@ bool putLoop(GifFileType* gif) {
 bool putFrame(GifFileType* gif, const AnimationFrame& frame, const ReducedColours& colours) {
     GraphicsControlBlock control{};
     control.DisposalMode = DISPOSE_BACKGROUND;
-    control.DelayTime = std::max(2, (frame.milliseconds + 5) / 10);
+    control.DelayTime = std::clamp((frame.milliseconds + 5) / 10, 2, 65'535);
     control.TransparentColor = kTransparent;
     std::array<GifByteType, 4> block{};
     const std::size_t length = EGifGCBToExtension(&control, block.data());

@@ -20,7 +20,7 @@ struct GifImage {
 };
 
 // Plays for ever. Frames of one size, at most 65,535 pixels an edge; their times are rounded to
-// hundredths of a second, at least two. The same frames give the same bytes.
+// hundredths of a second, 2 ... 65,535 of them. The same frames give the same bytes.
 [[nodiscard]] Result<GifImage> writeGif(std::span<const AnimationFrame> frames);
 
 }  // namespace voxprite

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "core/base/ending.h"
@@ -70,6 +71,20 @@ std::filesystem::path textOf(std::filesystem::path output) {
     return output.replace_extension(".json");
 }
 
+// Would one be written over another?
+Status checkPaths(const std::vector<SheetFile>& files) {
+    std::set<std::filesystem::path> paths;
+    for (const SheetFile& file : files) {
+        std::error_code unknown;
+        const std::filesystem::path whole = std::filesystem::absolute(file.path, unknown);
+        if (paths.insert(whole.lexically_normal()).second) continue;
+        return fail("two files of the sheet would have the name " +
+                    onOneLine(file.path.filename().string()) +
+                    ": pictures are named after variants, and a turntable needs a name of its own");
+    }
+    return {};
+}
+
 // The text that lies there says what belongs to the sheet before this one, itself included.
 Status keepNeighbours(std::span<const SheetFile> files) {
     const std::filesystem::path output = files.front().path;
@@ -106,6 +121,7 @@ Result<std::vector<SheetFile>> sheetFiles(const Sheet& sheet, const Document& do
     const std::string text =
         sheetJson(sheet, document, profile, options, output.filename().string());
     files.push_back({textOf(output), Bytes(text.begin(), text.end())});
+    if (Status apart = checkPaths(files); !apart) return Failure(apart.error());
     return files;
 }
 

@@ -32,7 +32,7 @@ struct SheetFile {
 };
 
 // `output`, which ends in .png, is the sprites' picture; the others and the text are named after
-// it. Pure; fails when a picture cannot be encoded.
+// it. Fails when a picture cannot be encoded, and where two files would have one path.
 [[nodiscard]] Result<std::vector<SheetFile>> sheetFiles(
     const Sheet& sheet, const Document& document, const GameProfile& profile,
     const SheetOptions& options, const std::filesystem::path& output,

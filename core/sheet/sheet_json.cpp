@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/io/json_text.h"
 #include "core/model/playback.h"
@@ -38,12 +39,30 @@ std::string viewName(const SheetSprite& sprite, const SheetOptions& options) {
     return name;
 }
 
+// One for each socket, its name; where several have it the later ones are numbered.
+std::vector<std::string> keysOf(const std::vector<SheetSocket>& sockets) {
+    std::set<std::string> names, used;
+    for (const SheetSocket& socket : sockets) names.insert(jsonTextFromBytes(socket.name));
+    std::vector<std::string> keys;
+    for (const SheetSocket& socket : sockets) {
+        const std::string name = jsonTextFromBytes(socket.name);
+        std::string key = name;
+        for (int n = 2; used.contains(key) || (key != name && names.contains(key)); ++n) {
+            key = name + " " + std::to_string(n);
+        }
+        used.insert(key);
+        keys.push_back(std::move(key));
+    }
+    return keys;
+}
+
 Json frameOf(const SheetSprite& sprite, const Sheet& sheet, const Document& document,
              const SheetOptions& options, const std::string& stem) {
     Json sockets = Json::object();
-    for (const SheetSocket& socket : sprite.sockets) {
-        sockets[jsonTextFromBytes(socket.name)] = {{"px", point(socket.px)},
-                                                   {"visible", socket.visible}};
+    const std::vector<std::string> keys = keysOf(sprite.sockets);
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        const SheetSocket& socket = sprite.sockets[k];
+        sockets[keys[k]] = {{"px", point(socket.px)}, {"visible", socket.visible}};
     }
     return {{"filename", jsonTextFromBytes(stem) + "/" + viewName(sprite, options) + "/" +
                              std::to_string(sprite.frame)},

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "core/io/png.h"
 #include "core/sheet/sheet_json.h"
 #include "tests/support/must.h"
@@ -43,6 +45,58 @@ TEST(SheetFiles, SayWhatCannotBeWritten) {
     const Status written = writeSheetFiles(files);
     ASSERT_FALSE(written);
     EXPECT_NE(written.error().describe().find("/nowhere/at/all.png"), std::string::npos);
+}
+
+// None is written over another.
+TEST(SheetFiles, HavePathsOfTheirOwn) {
+    Document document = test::documentOf(test::figure());
+    SheetOptions options;
+    options.directions = 1;
+    options.normals = true;
+    const GameProfile profile;
+    const auto errorOf = [&](const std::optional<Turntable>& turntable) -> std::string {
+        const Sheet sheet = must(makeSheet(document, profile, options));
+        const auto files = sheetFiles(sheet, document, profile, options, "out/hut.png", turntable);
+        return files ? "" : files.error().message;
+    };
+    EXPECT_EQ(errorOf(Turntable{"hut.png"}), "");
+    for (const char* path :
+         {"out/hut.png", "out/./hut.png", "out/hut.normals.png", "out/hut.json"}) {
+        EXPECT_THAT(errorOf(Turntable{path}), testing::HasSubstr("two files of the sheet")) << path;
+    }
+    document.palette.variants = {{"a/b", {}}, {"a_b", {}}};
+    EXPECT_THAT(errorOf({}), testing::HasSubstr("hut.variant-a_b.png"));
+}
+
+TEST(SheetFiles, AWholeMinuteAFrameIsNoReasonToFail) {
+    Document document = test::documentOf(test::figure());
+    document.clips = {Clip{"slow", 0, 0, 0.001, true}};
+    SheetOptions options;
+    options.directions = 1;
+    const GameProfile profile;
+    const Sheet sheet = must(makeSheet(document, profile, options));
+    for (const char* turntable : {"turn.png", "turn.gif"}) {
+        EXPECT_TRUE(sheetFiles(sheet, document, profile, options, "hut.png", Turntable{turntable}));
+    }
+}
+
+TEST(SheetFiles, SocketsOfOneNameAreNumbered) {
+    Document document = test::documentOf(test::figure());
+    document.sockets = {Socket{"hand", {{0, {1.0, 0.0, 0.0}}}},
+                        Socket{"hand", {{0, {2.0, 0.0, 0.0}}}},
+                        Socket{"hand 2", {{0, {3.0, 0.0, 0.0}}}}};
+    SheetOptions options;
+    options.directions = 1;
+    const GameProfile profile;
+    const Sheet sheet = must(makeSheet(document, profile, options));
+    const auto json =
+        nlohmann::json::parse(sheetJson(sheet, document, profile, options, "hut.png"));
+    const auto& sockets = json["frames"][0]["voxprite"]["sockets"];
+    const auto& placed = sheet.sprites[0].sockets;
+    ASSERT_EQ(sockets.size(), 3u);
+    EXPECT_EQ(sockets["hand"]["px"][0], placed[0].px.x);
+    EXPECT_EQ(sockets["hand 3"]["px"][0], placed[1].px.x);
+    EXPECT_EQ(sockets["hand 2"]["px"][0], placed[2].px.x);
 }
 
 TEST(SheetFiles, WhatTheyWouldReplaceIsKnownBeforeTheyAreMade) {
