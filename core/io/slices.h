@@ -14,7 +14,8 @@
 // Layers      How many a strip has is told by a text in the picture, when voxprite wrote it ("16
 //             at -3 4 0": layers and the place of the lowest corner), else by the option, else they
 //             are taken for squares, as wide as the picture; and if that does not come out even it
-//             is one layer. A warning says which.
+//             is one layer. A warning says which. Where a stack of voxprite's has another number
+//             of files than was written a warning says so.
 // Voxels      Alpha 0 is empty. Colours, with their alpha, get indices in the order in which they
 //             are met, from the lowest layer's first row; more than 255 are reduced
 //             (core/io/colour_reduction.h).

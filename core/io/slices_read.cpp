@@ -116,7 +116,8 @@ Result<SlicesImport> readStack(const SliceFiles& files) {
     if (!lowest) return failsIn(files.files[0], lowest.error());
     stack.size = {lowest->width, lowest->height, static_cast<int>(files.files.size())};
     stack.fileBytes = first->size() * files.files.size();
-    if (const auto told = sliceTextIn(*first)) stack.corner = told->corner;
+    const std::optional<SliceText> told = sliceTextIn(*first);
+    if (told) stack.corner = told->corner;
     stack.forEach = [&](const std::function<Status(const Slice&)>& visit) -> Status {
         for (const std::filesystem::path& file : files.files) {
             const Result<Image> image = pictureOf(file);
@@ -130,7 +131,12 @@ Result<SlicesImport> readStack(const SliceFiles& files) {
         }
         return {};
     };
-    return modelFrom(stack);
+    Result<SlicesImport> import = modelFrom(stack);
+    if (import && told && told->layers != stack.size.z) {
+        import->warnings.push_back("the pictures were written as " + std::to_string(told->layers) +
+                                   " layers; here are " + std::to_string(stack.size.z));
+    }
+    return import;
 }
 
 }  // namespace

@@ -127,6 +127,22 @@ TEST(Slices, AStackIsAFileALayer) {
     EXPECT_THAT(readSlices(folder.path()).error().message, HasSubstr("no numbered layer"));
 }
 
+TEST(Slices, AStackThatLacksItsTopIsTold) {
+    const test::TemporaryFolder folder;
+    for (const SlicePicture& picture :
+         must(writeSlices(test::documentOf(test::figure()), "a_000.png"))) {
+        write(folder / picture.name, picture.png);
+    }
+    EXPECT_TRUE(must(readSlices(folder.path())).warnings.empty());
+    std::filesystem::path last;
+    for (const auto& file : std::filesystem::directory_iterator(folder.path())) {
+        last = std::max(last, file.path());
+    }
+    std::filesystem::remove(last);
+    EXPECT_THAT(must(readSlices(folder.path())).warnings,
+                testing::ElementsAre(testing::HasSubstr("were written as")));
+}
+
 TEST(Slices, AnEmptyFolderIsNoModel) {
     const test::TemporaryFolder folder;
     EXPECT_THAT(loadDocument(folder.path()).error().describe(), HasSubstr("no .png"));
