@@ -1,3 +1,4 @@
+// clang-format off
 // CSM, "cube script model": an octree as text. The format of k0sti/crossworld.
 //
 //   Model     = Epoch ( '|' Epoch )*
@@ -19,8 +20,7 @@
 //             nothing is carried over from the epoch before.
 // Model       The last epoch that assigned anything. None: an empty model.
 // Reference   Only a path that a statement of the epoch before (the last one that assigned
-// anything)
-//             named, letter by letter; the cube is what stands there at that epoch's end.
+//             anything) named, letter by letter; the cube is what stands there at that epoch's end.
 // Mirror      All the way down, as space is mirrored.
 // Exchange    Two axes change places all the way down; with three, what lay along the first lies
 //             along the second, and so on round. With one axis the two halves along it change
@@ -31,6 +31,7 @@
 //
 // Voxel (0,0,0) is the cube's lowest corner and the origin of entity space; a file's axes are taken
 // as they stand. Colours are not in the file.
+// clang-format on
 #pragma once
 
 #include "core/base/bytes.h"

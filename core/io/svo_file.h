@@ -1,3 +1,4 @@
+// clang-format off
 // .svo: octrees for the game's runtime. Versioned, little-endian, checksummed; sections are aligned
 // so that the file can be memory-mapped and its arrays handed to a GPU without a copy.
 //
@@ -83,7 +84,9 @@
 //      8  u32     first clip in CLIP
 //     12  u32     number of clips
 //     16  u32     first socket in SOCK; sockets have a position for each frame of the entity's
-//     clips 20  u32     number of sockets 24  u8[8]   reserved
+//                 clips
+//     20  u32     number of sockets
+//     24  u8[8]   reserved
 //
 // Limits, so that a small file cannot unfold into more than a machine holds: 65,536 frames (those
 // of the clips, and one for each model that no clip shows) and 2^40 solid voxels in all models.
@@ -99,6 +102,7 @@
 //         if (!(w >> o & 1)) return 0;
 //         w = n[(w >> 8 & 0x7FFFFF) + popcount(w & ((1u << o) - 1))];
 //     }
+// clang-format on
 #pragma once
 
 #include <array>
