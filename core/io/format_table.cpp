@@ -140,8 +140,8 @@ Result<LoadedDocument> loadGltf(const FileSource& source) {
     return loadMesh(readGltf(source.bytes, ModelFolder(source.path)), source.options);
 }
 
-std::vector<std::string> glbLosses(const Document& document) {
-    return meshLosses(document, ".glb");
+std::vector<std::string> glbLosses(const Document& /*document*/) {
+    return {".glb holds surfaces: voxels that no open face shows are left out"};
 }
 
 Result<LoadedDocument> loadObj(const FileSource& source) {
@@ -150,8 +150,8 @@ Result<LoadedDocument> loadObj(const FileSource& source) {
                     source.options);
 }
 
-std::vector<std::string> objLosses(const Document& document) {
-    return meshLosses(document, ".obj");
+std::vector<std::string> objLosses(const Document& /*document*/) {
+    return {".obj holds surfaces: voxels that no open face shows are left out"};
 }
 
 constexpr Holds kVoxHolds{.scene = SceneHeld::all,
@@ -187,6 +187,16 @@ constexpr Holds kVdbHolds{.scene = SceneHeld::objects,
                           .displayOrder = true,
                           .ramps = true,
                           .variants = true};
+
+constexpr Holds kGlbHolds{.scene = SceneHeld::seen,
+                          .entityName = true,
+                          .anchor = true,
+                          .coordinates = true,
+                          .colours = ColoursHeld::palette};
+constexpr Holds kObjHolds{.scene = SceneHeld::objects,
+                          .anchor = true,
+                          .coordinates = true,
+                          .colours = ColoursHeld::palette};
 
 constexpr std::array kFormats{
     FormatInfo{.format = Format::voxprite,
@@ -252,7 +262,7 @@ constexpr std::array kFormats{
                .load = loadGltf,
                .save = writeGlb,
                .keepsVoxels = false,
-               .holds = Holds::everything(),  // what is lost is told by the mesh writer alone
+               .holds = kGlbHolds,
                .losses = glbLosses},
     FormatInfo{.format = Format::gltf,
                .name = "gltf",
@@ -269,7 +279,7 @@ constexpr std::array kFormats{
                .names = objNames,
                .refersTo = objRefersTo,
                .keepsVoxels = false,
-               .holds = Holds::everything(),  // what is lost is told by the mesh writer alone
+               .holds = kObjHolds,
                .losses = objLosses},
 };
 

@@ -136,12 +136,14 @@ class Losses {
                     });
         }
         const bool merged = holds_.scene == SceneHeld::merged;
+        const bool graph = holds_.scene == SceneHeld::seen;
         const bool rootName = !document_.nodes[0].name.empty();
         list("holds what is seen of the scene",
-             {{merged ? names : rootName, merged ? "names of objects" : "the root's name"},
-              {groups, "groups"},
-              {turns && !merged, "turns (voxels are written as they stand)"},
-              {!merged && sharesModels(), "that objects share their voxels"},
+             {{!graph && (merged ? names : rootName),
+               merged ? "names of objects" : "the root's name"},
+              {!graph && groups, "groups"},
+              {!graph && turns && !merged, "turns (voxels are written as they stand)"},
+              {!graph && !merged && sharesModels(), "that objects share their voxels"},
               {!document_.layers.empty(), "layers"},
               {locks, "locks"},
               {attributes, "attributes of other programs"}});

@@ -13,6 +13,7 @@ namespace voxprite {
 enum class SceneHeld : std::uint8_t {
     merged,   // one body of voxels: what is seen
     objects,  // what is seen, object by object with its name, each turned as it stands
+    seen,     // what is seen, in its groups, with its placements and shared models
     all       // groups, hidden objects, shared models, layers, placements, attributes, ...
 };
 

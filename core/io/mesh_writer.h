@@ -1,12 +1,14 @@
+// clang-format off
 // What the writers of meshes share: space, colours and losses.
 //
 // Space   metres, Y up, toward the viewer +Z: voxel (x, y, z) is (x, z, -y) times VoxelSize. The
 //         entity's anchor is the origin.
 // Shape   of each visible object of the first frame its open faces (core/io/voxel_quads.h),
-// exactly;
-//         objects that share a model share its mesh in .glb. Objects that overlap are drawn both.
+//         exactly; objects that share a model share its mesh in .glb. Objects that overlap are
+//         drawn both.
 // Colour  a texture of 256 x 1, the palette, of which each vertex shows the middle of a texel; or
 //         vertex colours.
+// clang-format on
 #pragma once
 
 #include <string>
@@ -28,10 +30,6 @@ namespace voxprite {
 
 // Where the anchor lies in entity space, in voxels.
 [[nodiscard]] glm::dvec3 originOf(const Document& document);
-
-// What the format `where` (".glb") cannot hold, one sentence each.
-[[nodiscard]] std::vector<std::string> meshLosses(const Document& document,
-                                                  const std::string& where);
 
 // One file, with everything in it.
 [[nodiscard]] Result<Bytes> writeGlb(const SaveRequest& request);

@@ -324,11 +324,26 @@ TEST(GlbWriter, AnEmptyDocumentIsAValidFile) {
 }
 
 TEST(MeshLosses, AreListed) {
-    const std::vector<std::string> losses = lossesOf(busyDocument(), Format::glb);
-    for (const char* what : {"frames: 4 left out", "clips", "sockets", "hidden objects",
-                             "colour names", "materials", "rotation, scale"}) {
-        EXPECT_THAT(losses, Contains(HasSubstr(what)));
+    Document document = busyDocument();
+    document.models.push_back(document.models[0]);
+    document.palette.variants = {{"Red", {{1, Rgba8(255, 0, 0, 255)}}}};
+    document.palette.ramps = {{"stone", {1, 2, 3}}};
+    document.cameras = {{4, {{"_mode", "pers"}}}};
+    document.nodes[3].attributes = {{"_other", "1"}};
+    for (const Format format : {Format::glb, Format::obj}) {
+        const std::vector<std::string> losses = lossesOf(document, format);
+        for (const char* what : {"frames: 4 left out", "clips", "sockets", "hidden objects",
+                                 "names of colours", "materials", "order of display",
+                                 "transparency", "variants", "ramps", "models that no object shows",
+                                 "cameras", "layers", "locks", "attributes", "rotation, scale"}) {
+            EXPECT_THAT(losses, Contains(HasSubstr(what))) << infoOf(format).ending;
+        }
     }
+    const auto groups = [&](Format format) {
+        return testing::Matches(Contains(HasSubstr("groups")))(lossesOf(document, format));
+    };
+    EXPECT_TRUE(groups(Format::obj));
+    EXPECT_FALSE(groups(Format::glb)) << "which has them";
     EXPECT_EQ(lossesOf(documentOf(figure()), Format::obj).size(), 1u);
 }
 
