@@ -158,13 +158,31 @@ void Drawer::forget() {
     history_ = {};
     kept_.clear();
     snapshots_.clear();
+    keptBytes_ = 0;
     last_.reset();
     counts_ = {};
 }
 
+std::size_t Drawer::Kept::bytes() const {
+    return buffer->ids.size() * (sizeof(Rgba8) + sizeof(std::uint32_t));
+}
+
+template <class Pictures>
+void Drawer::keepWithin(Pictures& kept, double milliseconds, std::size_t rays) {
+    counts_.castMilliseconds += milliseconds;
+    ++counts_.casts;
+    counts_.rays += rays;
+    counts_.castBytes += kept.back().bytes();
+    keptBytes_ += kept.back().bytes();
+    for (; keptBytes_ > kMostKeptBytes && kept.size() > 1; kept.pop_front())
+        keptBytes_ -= kept.front().bytes();
+    counts_.mostKeptBytes = std::max<std::uint64_t>(counts_.mostKeptBytes, keptBytes_);
+}
+
 Result<const SpriteBuffer*> Drawer::bufferOf(const SpriteView& view) {
-    for (const Kept& kept : kept_)
-        if (kept.lattice == view.lattice && kept.lights == view.light8) return kept.buffer.get();
+    // Seen again is mostly what was just seen.
+    for (auto kept = kept_.rbegin(); kept != kept_.rend(); ++kept)
+        if (kept->lattice == view.lattice && kept->lights == view.light8) return kept->buffer.get();
     const Stopwatch watch;
     const LitPalette lit =
         litPalette(parts_->model().palette, view.light8, profile_.outline, profile_.shading);
@@ -178,11 +196,9 @@ Result<const SpriteBuffer*> Drawer::bufferOf(const SpriteView& view) {
     } else {
         *buffer = castSprite(octree_, view.lattice, lit, kOneThread);
     }
-    counts_.castMilliseconds += watch.milliseconds();
-    ++counts_.casts;
-    counts_.rays += buffer->ids.size();
-    counts_.castBytes += buffer->ids.size() * (sizeof(Rgba8) + sizeof(std::uint32_t));
+    const double milliseconds = watch.milliseconds();
     kept_.push_back({view.lattice, view.light8, std::move(buffer)});
+    keepWithin(kept_, milliseconds, kept_.back().buffer->ids.size());
     return kept_.back().buffer.get();
 }
 
@@ -239,11 +255,8 @@ Result<Shown> Drawer::drawSeed(const Camera& camera, ViewHistory* history) {
         const Stopwatch watch;
         snapshots_.push_back(
             castSnapshot(octree_, *light_, *views_, one.view, setting_.snapshotPx, kOneThread));
+        keepWithin(snapshots_, watch.milliseconds(), snapshots_.back().buffer.ids.size());
         known = std::prev(snapshots_.end());
-        counts_.castMilliseconds += watch.milliseconds();
-        ++counts_.casts;
-        counts_.rays += known->buffer.ids.size();
-        counts_.castBytes += known->bytes();
     }
     SpriteOnScreen shown = onScreen(one.plane, known->buffer, camera);
     return Shown{std::move(shown.image), std::move(shown.ids), 0.0, one.plane.screenPxPerPx};
@@ -286,7 +299,7 @@ Result<Shown> Drawer::draw(const Camera& camera, bool history) {
 
 double Drawer::bytes() const {
     const auto held = static_cast<double>(bytesOf(octree_));
-    if (!views_ || counts_.casts == 0) return held + static_cast<double>(counts_.castBytes);
+    if (!views_ || counts_.casts == 0) return held + static_cast<double>(counts_.mostKeptBytes);
     const double each = static_cast<double>(counts_.castBytes) / static_cast<double>(counts_.casts);
     return held + each * views_->count();
 }

@@ -3,6 +3,7 @@
 // there is a stage (they are the same, bit for bit).
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -11,6 +12,10 @@
 #include "core/sprite/sprite_view.h"
 
 namespace voxprite::trade {
+
+// Of the pictures that one keeps; beyond it the oldest go, and are cast again when they are seen
+// again.
+inline constexpr std::size_t kMostKeptBytes = std::size_t{64} << 20;
 
 class Drawer {
   public:
@@ -28,9 +33,10 @@ class Drawer {
         std::uint64_t casts = 0;
         double castMilliseconds = 0.0;  // sums over the casts
         std::uint64_t castBytes = 0;
+        std::uint64_t mostKeptBytes = 0;  // of pictures, at any one time
     };
     [[nodiscard]] const Counts& counts() const { return counts_; }
-    // Of all that is kept to draw it: the octree and pictures, of a set of views all of them.
+    // Of all that was kept to draw it: the octree and pictures, of a set of views all of them.
     [[nodiscard]] double bytes() const;
     // To make what is made beforehand: levels, and all pictures of a set of views.
     [[nodiscard]] double prepareMilliseconds() const;
@@ -50,7 +56,11 @@ class Drawer {
         LatticeView lattice;
         FaceLights lights;
         std::unique_ptr<SpriteBuffer> buffer;  // its place in memory stays
+        [[nodiscard]] std::size_t bytes() const;
     };
+    // Counts what was cast for the newest of them, and lets the oldest go.
+    template <class Pictures>
+    void keepWithin(Pictures& kept, double milliseconds, std::size_t rays);
     [[nodiscard]] Result<const SpriteBuffer*> bufferOf(const SpriteView& view);
     [[nodiscard]] Result<Shown> drawSeed(const Camera& camera, ViewHistory* history);
     [[nodiscard]] Result<Shown> drawSinglePass(const SpriteView& view, const Camera& camera);
@@ -66,8 +76,9 @@ class Drawer {
     std::optional<ViewSet> views_;
     std::optional<SnapshotLight> light_;  // of snapshots of kind seed
     ViewHistory history_;
-    std::vector<Kept> kept_;
-    std::vector<Snapshot> snapshots_;  // of kind seed
+    std::deque<Kept> kept_;
+    std::deque<Snapshot> snapshots_;  // of kind seed
+    std::size_t keptBytes_ = 0;       // of both
     std::optional<Cast> last_;
     Counts counts_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace voxprite::trade {
 namespace {
@@ -28,6 +29,20 @@ Spread spreadOf(std::vector<double> values) {
     const double median =
         values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
     return {values.front(), median, values.back(), static_cast<int>(values.size())};
+}
+
+Spread spreadOfParts(const std::vector<std::vector<double>>& runs) {
+    if (runs.empty()) return {};
+    std::vector<double> wholes;
+    std::vector<double> fastest = runs.front();
+    for (const std::vector<double>& run : runs) {
+        wholes.push_back(std::accumulate(run.begin(), run.end(), 0.0));
+        for (std::size_t part = 0; part < fastest.size(); ++part)
+            fastest[part] = std::min(fastest[part], run[part]);
+    }
+    Spread spread = spreadOf(std::move(wholes));
+    spread.least = std::accumulate(fastest.begin(), fastest.end(), 0.0);
+    return spread;
 }
 
 double Point::error(Yardstick yardstick) const {

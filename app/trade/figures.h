@@ -23,9 +23,11 @@ enum class Yardstick : std::uint8_t { sprite, perspective };
 // Of pictures of the screen. Means over the views, but for flipWorst. Shares are 0 ... 1, of the
 // pixels that the model covers in either picture unless another is named.
 struct PictureErrors {
-    double mismatch = 0.0;              // of another colour
-    std::optional<double> voxels;       // of another voxel; none where cells are no voxels
-    double silhouette = 0.0;            // in one silhouette alone, over the yardstick's area
+    double mismatch = 0.0;         // of another colour
+    std::optional<double> voxels;  // of another voxel; none where cells are no voxels
+    // In one silhouette alone, over the yardstick's area: more than 1 where it is missed by that
+    // much, infinite where it is empty.
+    double silhouette = 0.0;
     double iou = 1.0;                   // of the silhouettes
     double boundaryIou = 1.0;           // of their borders
     std::optional<double> outlineKept;  // recall: of the yardstick's outline; none if it has none
@@ -58,13 +60,18 @@ struct Spread {
     int runs = 0;
 };
 [[nodiscard]] Spread spreadOf(std::vector<double> values);
+// Of runs over the same work, each by its parts: median and most are those of whole runs, the least
+// is that of every part, together, for what else a machine does seldom falls upon the same part
+// twice. Every run has the same parts.
+[[nodiscard]] Spread spreadOfParts(const std::vector<std::vector<double>>& runs);
 
 // Of one frame of a camera on its way past views that it has not seen yet; what was cast stays.
+// Every run goes along the whole way, from its start.
 struct Costs {
-    // Of every run, one by one. On the processor the thread's own time, by OpenGL until all is
-    // drawn.
-    std::vector<double> runsMilliseconds;
-    Spread milliseconds;  // of those
+    // Of every run, section by section; each is its share of the mean frame of the way. On the
+    // processor the thread's own time, by OpenGL until all is drawn.
+    std::vector<std::vector<double>> runsMilliseconds;
+    Spread milliseconds;  // of those, spreadOfParts()
     double rays = 0.0;    // a frame; the same on every machine
     double casts = 0.0;   // sprites or snapshots made, a frame
     double bytes = 0.0;   // octree or mesh, and what is kept of its pictures; all of a set of views
@@ -74,8 +81,9 @@ struct Costs {
 
 struct AtSize {
     double sizePx = 0.0;  // radius of the model's sphere on the screen
-    double sigmaInForce = 0.0;
-    double screenPxPerPx = 0.0;  // of a virtual pixel
+    // Of the lattice, and the width of its virtual pixels; none where no lattice is drawn.
+    std::optional<double> sigmaInForce;
+    std::optional<double> screenPxPerPx;
     PictureErrors sprite;
     PictureErrors perspective;
     std::optional<NumberErrors> numbers;  // none where no lattice is cast
@@ -96,7 +104,7 @@ struct Point {
     // The error that fronts and budgets go by: FLIP, the mean over the sizes.
     [[nodiscard]] double error(Yardstick yardstick) const;
     // Milliseconds and rays a frame, the means over the sizes; infinite where the cost was not
-    // measured. Of the repeats the least: what else a machine does only ever adds.
+    // measured. Of the repeats the least (spreadOfParts): what else a machine does only ever adds.
     [[nodiscard]] double milliseconds() const;
     [[nodiscard]] double rays() const;
 };

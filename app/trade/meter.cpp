@@ -4,16 +4,16 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <numeric>
 #include <random>
 
 #include "app/trade/drawer.h"
 #include "app/trade/gl_stage.h"
 #include "app/trade/shown_errors.h"
-#include "core/base/stopwatch.h"
 #include "core/base/thread_stopwatch.h"
+#include "core/measure/compare.h"
 #include "core/measure/temporal.h"
 #include "core/sprite/perspective_picture.h"
-#include "core/sprite/view_axes.h"
 #include "core/trace/ideal_caster.h"
 #include "render/measure_representations.h"
 
@@ -21,9 +21,35 @@ namespace voxprite::trade {
 namespace {
 
 constexpr int kMostRepeats = 50;
+constexpr int kSectionFrames = 8;  // of a way, timed together
 constexpr double kMostSizePx = 512.0;
 constexpr double kWayPitchDegrees = 22.0;
 constexpr double kWayClimb = 0.2;  // degrees of pitch a degree of yaw, to and fro
+
+// The mean frame of a way, as it is gone along; section by section.
+class WayTimes {
+  public:
+    explicit WayTimes(std::size_t frames) : frames_(frames) {}
+    void add(double milliseconds) {
+        if (added_++ % kSectionFrames == 0) sections_.push_back(0.0);
+        sections_.back() += milliseconds / static_cast<double>(frames_);
+    }
+    [[nodiscard]] std::vector<double> take() { return std::move(sections_); }
+
+  private:
+    std::size_t frames_;
+    std::size_t added_ = 0;
+    std::vector<double> sections_;
+};
+
+// The angle of the whole rotation from one camera's axes to another's, roll included; precise for
+// small angles too.
+double degreesBetween(const Camera& a, const Camera& b) {
+    const auto squared = [](glm::dvec3 d) { return glm::dot(d, d); };
+    const double sum =
+        squared(a.right - b.right) + squared(a.up - b.up) + squared(a.forward - b.forward);
+    return glm::degrees(2.0 * std::asin(std::min(1.0, std::sqrt(sum / 8.0))));
+}
 
 Status validate(const Plan& plan) {
     if (Status profile = voxprite::validate(plan.profile); !profile) return profile;
@@ -49,8 +75,8 @@ Plan quickPlan(const GameProfile& profile) {
     plan.profile = profile;
     plan.sizesPx = {64};
     plan.views = 2;
-    plan.frames = 8;
-    plan.degreesAFrame = 1.5;
+    plan.frames = 40;
+    plan.degreesAFrame = 2.25;
     plan.leastRepeats = 2;
     plan.repeatMilliseconds = 0.0;
     plan.idealSamples = 500;
@@ -65,8 +91,14 @@ struct Meter::Impl {
     std::vector<OrbitAngles> views;
     double wayStartDegrees = 0.0;
     // By size and view, made when they are first asked for.
+    struct Truth {
+        explicit Truth(Shown made, double pixelsPerDegree)
+            : shown(std::move(made)), compared(shown.image, pixelsPerDegree) {}
+        Shown shown;
+        ComparedPicture compared;
+    };
     struct Yardsticks {
-        std::optional<Shown> sprite, perspective;
+        std::unique_ptr<const Truth> sprite, perspective;
     };
     std::vector<std::vector<Yardsticks>> yardsticks;
 
@@ -76,18 +108,22 @@ struct Meter::Impl {
         return cameraAtSize(parts.placed().radiusMetres(), sizePx, view,
                             glm::ivec2(edgeAtSize(sizePx)));
     }
-    [[nodiscard]] std::vector<Camera> way(double sizePx, int section) const;
+    [[nodiscard]] std::vector<Camera> way(double sizePx) const;
     [[nodiscard]] Result<Shown> yardstick(Yardstick which, const Camera& camera);
-    [[nodiscard]] Result<const Shown*> kept(Yardstick which, std::size_t size, std::size_t view);
+    [[nodiscard]] Result<const Truth*> kept(Yardstick which, std::size_t size, std::size_t view);
     [[nodiscard]] NumberErrors numbers(const Drawer& drawer, std::size_t view) const;
     [[nodiscard]] Status measureErrors(Drawer& drawer, std::size_t size, AtSize& out,
                                        const Progress& progress, bool& stopped);
-    [[nodiscard]] Status measureWay(Drawer& drawer, const Setting& setting, AtSize& out,
+    [[nodiscard]] Status measureWay(Drawer& drawer, const Setting& setting,
+                                    double prepareMilliseconds, AtSize& out,
                                     const Progress& progress, bool& stopped);
+    // The last run counts among the repeats where `already` is 1; else that is 0.
     [[nodiscard]] Status timeWay(Drawer& drawer, const Setting& setting, AtSize& out,
-                                 const Progress& progress, bool& stopped);
-    [[nodiscard]] Result<double> timeSection(Drawer& drawer, const Setting& setting, double sizePx,
-                                             int section);
+                                 std::size_t already, const Progress& progress, bool& stopped);
+    // Nothing when it was stopped.
+    [[nodiscard]] Result<std::optional<std::vector<double>>> timeRun(
+        Drawer& drawer, const Setting& setting, const std::vector<Camera>& cameras,
+        const Progress& progress);
     [[nodiscard]] bool byGl(const Setting& setting) const {
         return gl != nullptr && setting.walk == Walk::lattice;
     }
@@ -103,7 +139,8 @@ Meter::Impl::Impl(std::shared_ptr<const Model> measured, Plan how, GlStage* stag
         views.push_back({yaw, -10.0 + 70.0 * unit(), 0.0});
     }
     wayStartDegrees = 360.0 * unit();
-    yardsticks.assign(plan.sizesPx.size(), std::vector<Yardsticks>(views.size()));
+    yardsticks.resize(plan.sizesPx.size());
+    for (std::vector<Yardsticks>& ofSize : yardsticks) ofSize.resize(views.size());
 }
 
 // The sprite that the game asks for, without what only makes it cheaper.
@@ -115,12 +152,12 @@ Setting Meter::Impl::wanted() const {
     return setting;
 }
 
-std::vector<Camera> Meter::Impl::way(double sizePx, int section) const {
+std::vector<Camera> Meter::Impl::way(double sizePx) const {
     std::vector<Camera> cameras;
     for (const OrbitAngles& each : plan.recordedWay) cameras.push_back(camera(each, sizePx));
     if (!cameras.empty()) return cameras;
     for (int k = 0; k < plan.frames; ++k) {
-        const double turned = (section * plan.frames + k) * plan.degreesAFrame;
+        const double turned = k * plan.degreesAFrame;
         // To and fro, without a corner.
         const double climbed = kWayClimb * 50.0 * std::sin(glm::radians(turned) * 180.0 / 50.0);
         cameras.push_back(
@@ -141,15 +178,16 @@ Result<Shown> Meter::Impl::yardstick(Yardstick which, const Camera& camera) {
     return Shown{std::move(picture.image), std::move(picture.ids), 0.0, 0.0};
 }
 
-Result<const Shown*> Meter::Impl::kept(Yardstick which, std::size_t size, std::size_t view) {
+Result<const Meter::Impl::Truth*> Meter::Impl::kept(Yardstick which, std::size_t size,
+                                                    std::size_t view) {
     Yardsticks& both = yardsticks[size][view];
-    std::optional<Shown>& one = which == Yardstick::sprite ? both.sprite : both.perspective;
+    std::unique_ptr<const Truth>& one = which == Yardstick::sprite ? both.sprite : both.perspective;
     if (!one) {
         Result<Shown> made = yardstick(which, camera(views[view], plan.sizesPx[size]));
         if (!made) return Failure(made.error());
-        one = std::move(*made);
+        one = std::make_unique<const Truth>(std::move(*made), plan.flipPixelsPerDegree);
     }
-    return &*one;
+    return one.get();
 }
 
 // Every n-th sample of the buffer, so that there are few enough; which ones depends on the view.
@@ -157,8 +195,8 @@ NumberErrors Meter::Impl::numbers(const Drawer& drawer, std::size_t view) const 
     NumberErrors errors;
     const Drawer::Cast& cast = *drawer.lastCast();
     const SpriteBuffer& buffer = *cast.buffer;
-    const std::size_t step =
-        std::max<std::size_t>(1, buffer.ids.size() / static_cast<std::size_t>(plan.idealSamples));
+    const auto most = static_cast<std::size_t>(plan.idealSamples);
+    const std::size_t step = std::max<std::size_t>(1, (buffer.ids.size() + most - 1) / most);
     std::uint64_t other = 0, lost = 0;
     for (std::size_t at = view % step; at < buffer.ids.size(); at += step) {
         const auto column = static_cast<int>(at % static_cast<std::size_t>(buffer.size.x));
@@ -182,6 +220,7 @@ NumberErrors Meter::Impl::numbers(const Drawer& drawer, std::size_t view) const 
 
 Status Meter::Impl::measureErrors(Drawer& drawer, std::size_t size, AtSize& out,
                                   const Progress& progress, bool& stopped) {
+    drawer.forget();
     ErrorMean sprite, perspective;
     NumberMean numberMean;
     for (std::size_t view = 0; view < views.size(); ++view) {
@@ -191,18 +230,19 @@ Status Meter::Impl::measureErrors(Drawer& drawer, std::size_t size, AtSize& out,
         }
         const Result<Shown> shown = drawer.draw(camera(views[view], out.sizePx), false);
         if (!shown) return Failure(shown.error());
+        const ComparedPicture compared(shown->image, plan.flipPixelsPerDegree);
         for (const Yardstick which : {Yardstick::sprite, Yardstick::perspective}) {
-            const Result<const Shown*> truth = kept(which, size, view);
+            const Result<const Truth*> truth = kept(which, size, view);
             if (!truth) return Failure(truth.error());
             const Result<PictureErrors> errors =
-                compareShown(**truth, *shown, plan.flipPixelsPerDegree);
+                compareShown((*truth)->compared, (*truth)->shown.ids, compared, shown->ids);
             if (!errors) return Failure(errors.error());
             (which == Yardstick::sprite ? sprite : perspective).add(*errors);
         }
         if (drawer.lastCast() && drawer.lastCast()->buffer != nullptr)
             numberMean.add(numbers(drawer, view));
-        out.sigmaInForce = shown->sigmaInForce;
-        out.screenPxPerPx = shown->screenPxPerPx;
+        if (shown->sigmaInForce > 0.0) out.sigmaInForce = shown->sigmaInForce;
+        if (shown->screenPxPerPx > 0.0) out.screenPxPerPx = shown->screenPxPerPx;
     }
     out.sprite = sprite.mean();
     out.perspective = perspective.mean();
@@ -210,23 +250,24 @@ Status Meter::Impl::measureErrors(Drawer& drawer, std::size_t size, AtSize& out,
     return {};
 }
 
-// The first section of the way: what it casts, and how restless it looks.
-Status Meter::Impl::measureWay(Drawer& drawer, const Setting& setting, AtSize& out,
-                               const Progress& progress, bool& stopped) {
+// Once along the way, on the processor where that can draw it, for both backends cast and show the
+// same: what it casts, and how restless it looks. Without OpenGL that is the first timed run, too.
+Status Meter::Impl::measureWay(Drawer& drawer, const Setting& setting, double prepareMilliseconds,
+                               AtSize& out, const Progress& progress, bool& stopped) {
     drawer.forget();
     TemporalMeter restless;
-    std::optional<glm::dvec3> before;
-    const std::vector<Camera> cameras = way(out.sizePx, 0);
+    const std::vector<Camera> cameras = way(out.sizePx);
+    WayTimes times(cameras.size());
     for (std::size_t k = 0; k < cameras.size(); ++k) {
         if (!progress.reached(static_cast<double>(k) / static_cast<double>(cameras.size()))) {
             stopped = true;
             return {};
         }
+        const ThreadStopwatch watch;
         const Result<Shown> shown = drawer.draw(cameras[k], true);
         if (!shown) return Failure(shown.error());
-        const double turned =
-            before ? glm::degrees(angleBetween(*before, cameras[k].forward)) : 0.0;
-        before = cameras[k].forward;
+        times.add(watch.milliseconds());
+        const double turned = k > 0 ? degreesBetween(cameras[k - 1], cameras[k]) : 0.0;
         if (Status added = restless.add(shown->image, turned); !added) return added;
     }
     const TemporalFigures& figures = restless.figures();
@@ -238,7 +279,7 @@ Status Meter::Impl::measureWay(Drawer& drawer, const Setting& setting, AtSize& o
     costs.rays = static_cast<double>(drawer.counts().rays) / frames;
     costs.casts = static_cast<double>(drawer.counts().casts) / frames;
     costs.bytes = drawer.bytes();
-    costs.prepareMilliseconds = drawer.prepareMilliseconds();
+    costs.prepareMilliseconds = prepareMilliseconds;
     if (setting.drawnBy == Representation::clusters) {
         const Result<const ModelParts::Clusters*> clusters = parts.clusters();
         if (!clusters) return Failure(clusters.error());
@@ -246,51 +287,64 @@ Status Meter::Impl::measureWay(Drawer& drawer, const Setting& setting, AtSize& o
         costs.prepareMilliseconds = (*clusters)->milliseconds;
     }
     costs.backend = byGl(setting) ? "gl" : "cpu";
+    if (!byGl(setting)) costs.runsMilliseconds.push_back(times.take());
     out.costs = costs;
     return {};
 }
 
-Result<double> Meter::Impl::timeSection(Drawer& drawer, const Setting& setting, double sizePx,
-                                        int section) {
-    const std::vector<Camera> cameras = way(sizePx, section);
+Result<std::optional<std::vector<double>>> Meter::Impl::timeRun(Drawer& drawer,
+                                                                const Setting& setting,
+                                                                const std::vector<Camera>& cameras,
+                                                                const Progress& progress) {
     const GameProfile profile = profileWith(plan.profile, setting);
     ViewHistory history;
     drawer.forget();
     if (byGl(setting)) gl->forget();
-    double sum = 0.0;
-    for (const Camera& each : cameras) {
+    WayTimes times(cameras.size());
+    for (std::size_t k = 0; k < cameras.size(); ++k) {
+        const double share = static_cast<double>(k) / static_cast<double>(cameras.size());
+        if (k % kSectionFrames == 0 && !progress.reached(share))
+            return std::optional<std::vector<double>>();
         if (byGl(setting)) {
-            const Result<double> drawn = gl->frame(setting, profile, each, history);
-            if (!drawn) return drawn;
-            sum += *drawn;
+            const Result<double> drawn = gl->frame(setting, profile, cameras[k], history);
+            if (!drawn) return Failure(drawn.error());
+            times.add(*drawn);
             continue;
         }
         const ThreadStopwatch watch;
-        const Result<Shown> shown = drawer.draw(each, true);
+        const Result<Shown> shown = drawer.draw(cameras[k], true);
         if (!shown) return Failure(shown.error());
-        sum += watch.milliseconds();
+        times.add(watch.milliseconds());
     }
-    return sum / static_cast<double>(cameras.size());
+    return std::optional(times.take());
 }
 
 Status Meter::Impl::timeWay(Drawer& drawer, const Setting& setting, AtSize& out,
-                            const Progress& progress, bool& stopped) {
-    std::vector<double>& times = out.costs->runsMilliseconds;
-    const Stopwatch watch;
-    // The first warms up.
-    for (int section = 0; section <= kMostRepeats; ++section) {
-        const bool enough =
-            section > plan.leastRepeats && watch.milliseconds() >= plan.repeatMilliseconds;
-        if (enough) break;
-        if (!progress.reached(std::min(1.0, section / (plan.leastRepeats + 1.0)))) {
-            stopped = true;
-            return {};
-        }
-        const Result<double> time = timeSection(drawer, setting, out.sizePx, section);
-        if (!time) return Failure(time.error());
-        if (section > 0) times.push_back(*time);
+                            std::size_t already, const Progress& progress, bool& stopped) {
+    std::vector<std::vector<double>>& runs = out.costs->runsMilliseconds;
+    const std::vector<Camera> cameras = way(out.sizePx);
+    const auto spent = [&](const std::vector<double>& run) {
+        return std::accumulate(run.begin(), run.end(), 0.0) * static_cast<double>(cameras.size());
+    };
+    if (byGl(setting) && runs.empty()) {  // what OpenGL compiles for it does not count
+        const auto warm = timeRun(drawer, setting, {cameras.begin(), cameras.begin() + 2}, {});
+        if (!warm) return Failure(warm.error());
     }
-    out.costs->milliseconds = spreadOf(times);
+    double sum = already > 0 ? spent(runs.back()) : 0.0;
+    const auto least = static_cast<std::size_t>(plan.leastRepeats);
+    const auto share = [&](std::size_t count) {
+        return std::min(1.0, static_cast<double>(count) / static_cast<double>(least));
+    };
+    for (std::size_t count = already; count < kMostRepeats; ++count) {
+        if (count >= least && sum >= plan.repeatMilliseconds) break;
+        auto run = timeRun(drawer, setting, cameras, progress.part(share(count), share(count + 1)));
+        if (!run) return Failure(run.error());
+        stopped = !*run;
+        if (stopped) break;
+        sum += spent(**run);
+        runs.push_back(std::move(**run));
+    }
+    out.costs->milliseconds = spreadOfParts(runs);
     return {};
 }
 
@@ -330,6 +384,10 @@ Result<std::optional<Point>> Meter::measure(const AxisSetting& setting, const Pr
     Result<Drawer> drawer =
         Drawer::create(impl_->parts, impl_->plan.profile, setting.setting, stage);
     if (!drawer) return Failure(drawer.error());
+    const bool clusters = setting.setting.drawnBy == Representation::clusters;
+    Result<Drawer> counter = Drawer::create(impl_->parts, impl_->plan.profile, setting.setting,
+                                            clusters ? stage : nullptr);
+    if (!counter) return Failure(counter.error());
     Point point{setting.axis,
                 setting.setting,
                 describe(setting.setting, settingOf(impl_->plan.profile)),
@@ -343,10 +401,12 @@ Result<std::optional<Point>> Meter::measure(const AxisSetting& setting, const Pr
         bool stopped = false;
         Status measured = impl_->measureErrors(*drawer, size, out, part.part(0.0, 0.4), stopped);
         if (measured && !stopped)
-            measured =
-                impl_->measureWay(*drawer, setting.setting, out, part.part(0.4, 0.6), stopped);
+            measured = impl_->measureWay(*counter, setting.setting, drawer->prepareMilliseconds(),
+                                         out, part.part(0.4, 0.6), stopped);
         if (measured && !stopped && out.costs)
-            measured = impl_->timeWay(*drawer, setting.setting, out, part.part(0.6, 1.0), stopped);
+            measured =
+                impl_->timeWay(*drawer, setting.setting, out, out.costs->runsMilliseconds.size(),
+                               part.part(0.6, 1.0), stopped);
         if (!measured) return Failure(measured.error());
         if (stopped) return std::optional<Point>();
     }
@@ -364,7 +424,7 @@ Result<bool> Meter::timeAgain(Point& point, const Progress& progress) {
         const Progress part = progress.part(done / sizes, (done + 1.0) / sizes);
         done += 1.0;
         bool stopped = false;
-        Status timed = impl_->timeWay(*drawer, point.setting, size, part, stopped);
+        Status timed = impl_->timeWay(*drawer, point.setting, size, 0, part, stopped);
         if (!timed) return Failure(timed.error());
         if (stopped) return false;
     }

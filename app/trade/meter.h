@@ -44,15 +44,16 @@ struct Plan {
     std::vector<double> sizesPx{48, 128};  // radii on the screen, ascending, 1 ... 512
     int views = 4;                         // for errors, at each size
     std::uint64_t seed = 1;
-    // The camera's way, for costs and errors over time: so many frames, each turned by so much.
-    int frames = 16;
+    // The camera's way, for costs and errors over time: so many frames, each turned by so much. A
+    // quarter round at least, so that wide view steps and small sets of views come to change.
+    int frames = 120;
     double degreesAFrame = 0.75;
-    // Recorded elsewhere, a frame each (2 ... kMostWayFrames): instead of the two above. Repeats go
-    // along it again, having forgotten what they cast.
+    // Recorded elsewhere, a frame each (2 ... kMostWayFrames): instead of the two above.
     std::vector<OrbitAngles> recordedWay;
     // Errors alone, and the same every time, without.
     bool costs = true;
-    int leastRepeats = 3;
+    // Every repeat goes along the whole way again, having forgotten what it cast.
+    int leastRepeats = 1;
     double repeatMilliseconds = 300.0;  // more repeats until this has passed; at most 50
     double flipPixelsPerDegree = 67.0;
     int idealSamples = 4000;  // rays asked of the ideal caster, at most, for each view
@@ -67,8 +68,8 @@ struct Plan {
 struct Shown {
     Image image;  // transparent where nothing is
     std::vector<std::uint32_t> ids;
-    double sigmaInForce = 0.0;
-    double screenPxPerPx = 0.0;
+    double sigmaInForce = 0.0;   // 0 where no lattice is drawn
+    double screenPxPerPx = 0.0;  // 0 where there are no virtual pixels
 };
 
 class Meter {
@@ -110,9 +111,7 @@ class Meter {
     std::unique_ptr<Impl> impl_;
 };
 
-// The error of two pictures of one size, and where it lies: FLIP a pixel, 0 ... 1, for heat maps.
-[[nodiscard]] Result<PictureErrors> compareShown(const Shown& yardstick, const Shown& test,
-                                                 double flipPixelsPerDegree = 67.0);
+// Where two pictures of one size differ: FLIP a pixel, 0 ... 1, for heat maps.
 [[nodiscard]] Result<Plane> errorMap(const Shown& yardstick, const Shown& test,
                                      double flipPixelsPerDegree = 67.0);
 

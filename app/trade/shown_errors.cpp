@@ -13,10 +13,9 @@ namespace voxprite::trade {
 namespace {
 
 // What outlines there are: by the ids, which know them from black voxels.
-Mask outlineOf(const Shown& shown) {
-    Mask mask(shown.image.width, shown.image.height);
-    for (std::size_t k = 0; k < shown.ids.size(); ++k)
-        mask.set[k] = shown.ids[k] == kIdOutline ? 1 : 0;
+Mask outlineOf(const Image& image, std::span<const std::uint32_t> ids) {
+    Mask mask(image.width, image.height);
+    for (std::size_t k = 0; k < ids.size(); ++k) mask.set[k] = ids[k] == kIdOutline ? 1 : 0;
     return mask;
 }
 
@@ -46,10 +45,11 @@ double squaredErrorOf(const PictureErrors& errors) {
 
 }  // namespace
 
-Result<PictureErrors> compareShown(const Shown& yardstick, const Shown& test,
-                                   double flipPixelsPerDegree) {
-    const Result<ImageComparison> pictures =
-        compareImages(yardstick.image, test.image, flipPixelsPerDegree);
+Result<PictureErrors> compareShown(const ComparedPicture& yardstick,
+                                   std::span<const std::uint32_t> yardstickIds,
+                                   const ComparedPicture& test,
+                                   std::span<const std::uint32_t> testIds) {
+    const Result<ImageComparison> pictures = compareImages(yardstick, test);
     if (!pictures) return Failure(pictures.error());
     PictureErrors errors;
     errors.mismatch = pictures->mismatchInside;
@@ -59,13 +59,13 @@ Result<PictureErrors> compareShown(const Shown& yardstick, const Shown& test,
     errors.flip = errors.flipWorst = pictures->flipInside;
     errors.psnr = pictures->psnr;
     errors.ssim = pictures->ssim;
-    if (yardstick.ids.empty() || test.ids.empty()) return errors;
-    const Result<IdComparison> ids = compareIds(yardstick.ids, test.ids, kIdFirstVoxel);
+    if (yardstickIds.empty() || testIds.empty()) return errors;
+    const Result<IdComparison> ids = compareIds(yardstickIds, testIds, kIdFirstVoxel);
     if (!ids) return Failure(ids.error());
     errors.voxels = ids->rate();
-    const Mask wanted = outlineOf(yardstick);
+    const Mask wanted = outlineOf(yardstick.image(), yardstickIds);
     if (wanted.count() == 0) return errors;
-    const LineScore score = lineScore(wanted, outlineOf(test));
+    const LineScore score = lineScore(wanted, outlineOf(test.image(), testIds));
     errors.outlineKept = score.recall;
     errors.outlineTrue = score.precision;
     return errors;

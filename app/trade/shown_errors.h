@@ -2,11 +2,19 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "app/trade/figures.h"
+#include "core/measure/compare.h"
 
 namespace voxprite::trade {
+
+// Of two pictures of one size, with the ids of both (or none).
+[[nodiscard]] Result<PictureErrors> compareShown(const ComparedPicture& yardstick,
+                                                 std::span<const std::uint32_t> yardstickIds,
+                                                 const ComparedPicture& test,
+                                                 std::span<const std::uint32_t> testIds);
 
 // As PictureErrors says; what only some views have is the mean over those. PSNR is that of the mean
 // squared error.

@@ -25,6 +25,7 @@ std::vector<Axis> axesOf(const std::vector<std::string>& names) {
 
 // What a budget asks for, and what was found.
 struct Choice {
+    Yardstick yardstick = Yardstick::sprite;
     std::string asked;
     std::optional<std::size_t> best;         // of all settings
     std::optional<std::size_t> bestProfile;  // of those that a profile can say
@@ -35,6 +36,7 @@ Choice choose(const ReportOptions& options, const Curve& curve) {
     wish.yardstick =
         options.yardstick == "perspective" ? Yardstick::perspective : Yardstick::sprite;
     Choice choice;
+    choice.yardstick = wish.yardstick;
     const auto found = [&](bool profileOnly) {
         wish.profileOnly = profileOnly;
         return options.budgetError ? cheapestWithin(curve, *options.budgetError, wish)
@@ -59,12 +61,14 @@ cli::Json jsonOf(const Curve& curve, const std::optional<std::size_t>& at) {
               {"perspective", point.error(Yardstick::perspective)}}}};
 }
 
-std::string sentence(const Curve& curve, const std::optional<std::size_t>& at) {
+std::string sentence(const Curve& curve, const std::optional<std::size_t>& at,
+                     Yardstick yardstick) {
     if (!at) return "nothing that was measured";
     const Point& point = curve.points[*at];
     return point.name + " (" + cli::textOf(point.milliseconds()) + " ms, " +
            std::to_string(std::llround(point.rays())) + " rays, FLIP " +
-           cli::percentText(point.error(Yardstick::sprite)) + ")";
+           cli::percentText(point.error(yardstick)) +
+           (yardstick == Yardstick::sprite ? " off the exact sprite)" : " off the perspective)");
 }
 
 // Adds what the budget chooses to the report, and writes the profile that was asked for.
@@ -72,13 +76,15 @@ Status addChoice(const ReportOptions& options, const TradeReport& measured, cli:
     const Curve curve = combined(measured.models);
     const Choice choice = choose(options, curve);
     report.json["choice"] = {{"within", choice.asked},
+                             {"yardstick", nameOf(choice.yardstick)},
                              {"best", jsonOf(curve, choice.best)},
                              {"best_of_profile", jsonOf(curve, choice.bestProfile)},
                              {"profile", nullptr}};
-    report.text += "Within " + choice.asked + ": " + sentence(curve, choice.best) + "\n";
+    report.text +=
+        "Within " + choice.asked + ": " + sentence(curve, choice.best, choice.yardstick) + "\n";
     if (choice.best != choice.bestProfile)
-        report.text +=
-            "  of what a game profile can say: " + sentence(curve, choice.bestProfile) + "\n";
+        report.text += "  of what a game profile can say: " +
+                       sentence(curve, choice.bestProfile, choice.yardstick) + "\n";
     if (!options.writeProfile) return {};
     if (!choice.bestProfile)
         return failInFile(*options.writeProfile,
@@ -86,9 +92,22 @@ Status addChoice(const ReportOptions& options, const TradeReport& measured, cli:
     const GameProfile profile =
         profileWith(curve.profile, curve.points[*choice.bestProfile].setting);
     if (Status written = writeProfileFile(*options.writeProfile, profile); !written) return written;
-    report.json["choice"]["profile"] = *options.writeProfile;
+    report.json["choice"]["profile"] = cli::textJson(*options.writeProfile);
     report.text += "  written: " + *options.writeProfile + "\n";
     return {};
+}
+
+// What could not be drawn: settings, as warnings; and whole models, which is a failure.
+void addLeftOut(const TradeReport& measured, cli::Report& report) {
+    cli::Json& warnings = report.json["warnings"] = cli::Json::array();
+    for (const ModelReport& model : measured.models)
+        for (const Skipped& one : model.skipped)
+            warnings.push_back(
+                cli::textJson(model.curve.model + ", " + one.name + ": " + one.reason));
+    for (std::size_t k = 1; k < measured.failures.size(); ++k)
+        warnings.push_back(cli::textJson(measured.failures[k].describe()));
+    report.text += cli::warningLines(warnings);
+    if (!measured.failures.empty()) report.failure = measured.failures.front();
 }
 
 }  // namespace
@@ -98,11 +117,13 @@ void addReportOptions(CLI::App& sub, ReportOptions& options) {
     for (const Axis axis : allAxes())
         if (axis != Axis::game) names.emplace_back(nameOf(axis));
     CLI::Option_group& group = *sub.add_option_group("Report");
-    group
-        .add_option("-o,--output", options.folder,
-                    "Measure every setting of FILES and write trade.json, trade.csv, report.html "
-                    "and plots there")
-        ->type_name("DIR");
+    CLI::Option* const output =
+        group
+            .add_option(
+                "-o,--output", options.folder,
+                "Measure every setting of FILES and write trade.json, trade.csv, report.html "
+                "and plots there")
+            ->type_name("DIR");
     group.add_flag("--quick", options.quick, "Fewer settings and views: under 30 s a small model");
     group.add_option("--seed", options.seed, "Of the views: the same seed gives the same errors");
     group
@@ -135,6 +156,9 @@ void addReportOptions(CLI::App& sub, ReportOptions& options) {
         .add_option("--write-profile", options.writeProfile,
                     "Write the game profile with what the budget chose")
         ->type_name("FILE");
+    // Beside figures they would be ignored.
+    for (CLI::Option* const option : group.get_options())
+        if (option != output) option->needs(output);
 }
 
 Result<cli::Report> reportTrade(const ReportOptions& options) {
@@ -153,6 +177,7 @@ Result<cli::Report> reportTrade(const ReportOptions& options) {
 
     RunOptions run;
     run.files = options.files;
+    run.folder = options.folder;
     run.profile = options.profile;
     if (options.way) {
         Result<std::vector<OrbitAngles>> way = readCameraWay(*options.way);
@@ -164,10 +189,11 @@ Result<cli::Report> reportTrade(const ReportOptions& options) {
     run.growth = options.costs;
     run.seed = options.seed;
     run.gl = options.backend != "cpu";
+    run.needGl = options.backend == "gl";
     const Result<TradeReport> measured = runTrade(run);
     if (!measured) return Failure(measured.error());
-    if (options.backend == "gl" && measured->backend != "gl")
-        return fail("OpenGL is not there to be measured");
+    if (!measured->failures.empty() && measured->models.empty() && measured->growth.empty())
+        return Failure(measured->failures.front());
 
     cli::Report report;
     const Result<std::vector<std::string>> files = writeReport(*measured, options.folder);
@@ -181,10 +207,12 @@ Result<cli::Report> reportTrade(const ReportOptions& options) {
                    {"settings", done},
                    {"backend", measured->backend},
                    {"commit", measured->commit},
-                   {"files", *files}};
+                   {"files", Json::array()}};
+    for (const std::string& file : *files) report.json["files"].push_back(cli::textJson(file));
     if (options.markdown) report.text = frontTable(*measured) + "\n" + growthTable(*measured);
     for (const std::string& file : *files)
         if (!options.markdown) report.text += file + "\n";
+    addLeftOut(*measured, report);
     if (!measured->finished) {
         report.failure =
             failInFile(options.folder, "stopped: the report holds the " + std::to_string(done) +
@@ -192,7 +220,7 @@ Result<cli::Report> reportTrade(const ReportOptions& options) {
                 .value();
         return report;
     }
-    if (budget) {
+    if (budget && !measured->models.empty()) {
         if (Status chosen = addChoice(options, *measured, report); !chosen)
             report.failure = chosen.error();
     }

@@ -101,9 +101,10 @@ Result<Growth::Sample> drawCrowd(SceneRenderer& renderer, const std::vector<Octr
             renderer.draw(frame, scene, camera, profile, SpriteMode::spriteBuffer);
         if (!stats) return Failure(stats.error());
         glFinish();
-        if (k > 0) times.push_back(watch.milliseconds());
-        sample.rays = static_cast<double>(stats->rays);
         sample.bytes = static_cast<double>(stats->atlasBytes);
+        if (k == 0) continue;
+        times.push_back(watch.milliseconds());
+        sample.rays += static_cast<double>(stats->rays) / kRepeats;
     }
     sample.milliseconds = spreadOf(std::move(times));
     return sample;

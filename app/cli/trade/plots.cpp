@@ -250,7 +250,7 @@ std::vector<NamedPlot> plotsOf(const std::vector<Growth>& growth) {
 
 std::vector<std::string> fileNames(const std::vector<ModelReport>& models) {
     std::vector<std::string> names;
-    std::set<std::string> taken;
+    std::set<std::string> taken{"costs"};  // plotsOf() the costs that grow
     for (const ModelReport& model : models) {
         std::string name;
         for (const char c : model.curve.model) {

@@ -1,5 +1,6 @@
 #include "app/cli/trade/report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -52,6 +53,19 @@ std::optional<double> exponentOf(const Growth& growth, double (*cost)(const Grow
     return std::abs(exponent) < 1e-9 ? 0.0 : exponent;
 }
 
+std::string minifiedText(const Point& point) {
+    std::vector<std::string> drawn;
+    for (const AtSize& at : point.bySize) {
+        if (!at.sigmaInForce || *at.sigmaInForce >= point.setting.sigma) continue;
+        std::string sigma = cli::textOf(*at.sigmaInForce);
+        if (std::find(drawn.begin(), drawn.end(), sigma) == drawn.end())
+            drawn.push_back(std::move(sigma));
+    }
+    std::string text;
+    for (const std::string& sigma : drawn) text += (text.empty() ? "" : " and ") + sigma;
+    return text.empty() ? "" : ", drawn at sigma " + text;
+}
+
 std::string growthTable(const TradeReport& report) {
     std::vector<std::vector<std::string>> rows{
         {"by", "from", "to", "ms", "exponent", "rays", "exponent", "MiB", "exponent"}};
@@ -87,7 +101,8 @@ std::string frontTable(const TradeReport& report) {
                 known = known && at.sprite.voxels;
                 bytes += at.costs->bytes / sizes;
             }
-            rows.push_back({model.curve.model, point.name, rounded(point.milliseconds()),
+            rows.push_back({model.curve.model, point.name + minifiedText(point),
+                            rounded(point.milliseconds()),
                             std::to_string(std::llround(point.rays())),
                             rounded(100.0 * point.error(Yardstick::sprite)) + " %",
                             known ? rounded(100.0 * voxels) + " %" : "",
@@ -97,9 +112,6 @@ std::string frontTable(const TradeReport& report) {
 }
 
 Result<std::vector<std::string>> writeReport(const TradeReport& report, const std::string& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) return failInFile(folder, "cannot make the folder: " + error.message());
     std::vector<std::string> files;
     const auto keep = [&](const std::string& name, auto write) -> Status {
         const fs::path path = fs::path(folder) / name;

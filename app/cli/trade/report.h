@@ -17,6 +17,10 @@ using cli::Json;
 
 // All of one model's settings. `light` is a series of its own: its yardsticks have the full light
 // (kFullLight of both), which the settings leave out; only where the profile has none itself.
+struct Skipped {
+    std::string name;    // describe() of the setting
+    std::string reason;  // that it cannot be drawn
+};
 struct ModelReport {
     std::string file;
     glm::ivec3 size{0};
@@ -25,6 +29,7 @@ struct ModelReport {
     Plan plan;
     Curve curve;
     std::optional<Curve> light;
+    std::vector<Skipped> skipped;
     int settings = 0;  // that were to be measured, in both
     [[nodiscard]] int measured() const {
         return static_cast<int>(curve.points.size() + (light ? light->points.size() : 0));
@@ -60,6 +65,7 @@ struct TradeReport {
     std::string backend;
     std::vector<ModelReport> models;
     std::vector<Growth> growth;
+    std::vector<Error> failures;  // models that could not be measured at all, costs that grow
     bool finished = true;
 };
 
@@ -69,6 +75,7 @@ struct TradeReport {
 //    "models": [{"name", "file", "size", "voxels", "octree_bytes", "settings", "profile": {...},
 //       "plan": {"seed", "views", "sizes_px", "frames", "degrees_a_frame",
 //          "recorded_frames", "flip_pixels_a_degree"},          0: no way was given
+//       "skipped": [{"name", "reason"}],                       settings that cannot be drawn
 //       "points": [{"series": "game" or "light", "axis", "name", "setting": {...},
 //          "flip": {"sprite", "perspective"}, "ms", "rays",        means over the sizes
 //          "front": {"sprite", "perspective"},                     on the Pareto front?
@@ -82,8 +89,10 @@ struct TradeReport {
 inline constexpr int kSchemaVersion = 1;
 [[nodiscard]] Json jsonOf(const TradeReport& report);
 [[nodiscard]] Json jsonOf(const Setting& setting);
-// A row for each point and size, all figures.
+// A row for each point and size, all figures of it.
 [[nodiscard]] std::string csvOf(const TradeReport& report);
+// ", drawn at sigma 1" where minification halves the setting's own at a size; else nothing.
+[[nodiscard]] std::string minifiedText(const Point& point);
 // One page that needs nothing else; `plots` are in the order of plotsOf().
 [[nodiscard]] std::string htmlOf(const TradeReport& report);
 // The costs that grow, as Markdown.
@@ -91,8 +100,8 @@ inline constexpr int kSchemaVersion = 1;
 // The front of each model, as Markdown.
 [[nodiscard]] std::string frontTable(const TradeReport& report);
 
-// Writes trade.json, trade.csv, report.html and the plots as PNG; the folder is made. Returns the
-// files written.
+// Writes trade.json, trade.csv, report.html and the plots as PNG into a folder that is there.
+// Returns the files written.
 [[nodiscard]] Result<std::vector<std::string>> writeReport(const TradeReport& report,
                                                            const std::string& folder);
 

@@ -43,9 +43,13 @@ void addRows(const ModelReport& model, const Curve& curve, const char* series, s
         for (const AtSize& at : point.bySize) {
             out += quoted(curve.model) + ',' + series + ',' + nameOf(point.axis) + ',' +
                    quoted(point.name) + ',' + cell(s.sigma) + ',' + cell(s.viewStepDegrees) + ',' +
-                   cell(at.sizePx) + ',' + cell(at.sigmaInForce) + cells(at.sprite) +
-                   cells(at.perspective);
-            out += ',' + (at.numbers ? cell(at.numbers->voxels) : "");
+                   cell(at.sizePx) + ',' + cell(at.sigmaInForce) + ',' + cell(at.screenPxPerPx) +
+                   cells(at.sprite) + cells(at.perspective);
+            if (at.numbers)
+                out += ',' + std::to_string(at.numbers->samples) + ',' + cell(at.numbers->voxels) +
+                       ',' + cell(at.numbers->silhouette);
+            else
+                out += ",,,";
             out += ',' + cell(at.time.changedADegree) + ',' + cell(at.time.flipsADegree) + ',' +
                    cell(at.time.crawlADegree);
             if (at.costs) {
@@ -65,11 +69,14 @@ void addRows(const ModelReport& model, const Curve& curve, const char* series, s
 }  // namespace
 
 std::string csvOf(const TradeReport& report) {
-    std::string out = "model,series,axis,setting,sigma,view_step_degrees,size_px,sigma_in_force";
+    std::string out =
+        "model,series,axis,setting,sigma,view_step_degrees,size_px,sigma_in_force,"
+        "screen_px_a_virtual_px";
     for (const char* yardstick : {"sprite_", "perspective_"})
         for (const char* column : kErrorColumns) out += std::string(",") + yardstick + column;
     out +=
-        ",numbers_voxels,changed_a_degree,flips_a_degree,crawl_a_degree,ms,ms_least,ms_most,ms_"
+        ",numbers_samples,numbers_voxels,numbers_silhouette,changed_a_degree,flips_a_degree,crawl_"
+        "a_degree,ms,ms_least,ms_most,ms_"
         "runs,"
         "rays,casts,bytes,prepare_ms,backend,file\n";
     for (const ModelReport& model : report.models) {

@@ -55,6 +55,12 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
+// Names of files may hold any bytes, a page only UTF-8: what is none becomes U+FFFD.
+std::string validUtf8(const std::string& bytes) {
+    return Json::parse(Json(bytes).dump(-1, ' ', false, Json::error_handler_t::replace))
+        .get<std::string>();
+}
+
 std::string percent(const std::optional<double>& share) {
     return share ? cli::percentText(*share) : "–";
 }
@@ -110,7 +116,7 @@ std::string pointRow(const Point& point, bool best, const std::string& backend) 
     const std::string& by =
         point.bySize.front().costs ? point.bySize.front().costs->backend : backend;
     return row(
-        {(best ? "● " : "") + escaped(point.name) +
+        {(best ? "● " : "") + escaped(point.name + minifiedText(point)) +
              (by == backend ? "" : " <span class=\"dim\">(" + by + ")</span>"),
          millisecondsText(point), whole(point.rays()), percent(point.error(Yardstick::sprite)),
          percent(of([](const AtSize& at) { return Maybe(at.sprite.flipWorst); })),
@@ -222,6 +228,14 @@ std::string sizesText(const Plan& plan) {
     return sizes;
 }
 
+std::string skippedList(const ModelReport& model) {
+    if (model.skipped.empty()) return "";
+    std::string out = "<div class=\"warn\">Left out, for they cannot be drawn:<ul>\n";
+    for (const Skipped& one : model.skipped)
+        out += "<li>" + escaped(one.name + ": " + one.reason) + "</li>\n";
+    return out + "</ul></div>\n";
+}
+
 std::string headOf(const TradeReport& report) {
     const auto text = [&](const char* key) {
         return report.machine.contains(key) && report.machine[key].is_string()
@@ -241,7 +255,8 @@ std::string headOf(const TradeReport& report) {
                (recorded ? "recorded way of " : "way of ") +
                std::to_string(recorded ? plan.recordedWay.size()
                                        : static_cast<std::size_t>(plan.frames)) +
-               " frames, warm and repeated; what was cast stays. Errors are FLIP at " +
+               " frames" + (recorded ? "" : ", " + cli::textOf(plan.degreesAFrame) + "° each") +
+               ", again and again; what was cast stays. Errors are FLIP at " +
                cli::textOf(plan.flipPixelsPerDegree) +
                " pixels a degree over what the model covers. Errors, rays and MiB are the same on "
                "every run and by both backends; milliseconds are this machine's.</p>\n";
@@ -266,13 +281,14 @@ std::string htmlOf(const TradeReport& report) {
                 " MiB; sigma " + cli::textOf(model.curve.profile.sigma) + "; shown " +
                 sizesText(model.plan) + " pixels wide; " + std::to_string(model.measured()) +
                 " of " + std::to_string(model.settings) + " settings</p>\n";
+        page += skippedList(model);
         page +=
             inShort(model.curve) + figuresOf(plotsOf(model, names[k])) + pointTable(model.curve);
         if (model.light && !model.light->points.empty())
             page += "<p>Light, against occlusion and shadow of strength " +
                     cli::textOf(kFullLight) + ":</p>\n" + pointTable(*model.light);
     }
-    return page + growthSection(report) + "</main></body>\n</html>\n";
+    return validUtf8(page + growthSection(report) + "</main></body>\n</html>\n");
 }
 
 }  // namespace voxprite::trade

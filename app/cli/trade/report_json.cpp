@@ -46,8 +46,8 @@ Json jsonOf(const Spread& s) {
 
 Json jsonOf(const AtSize& at) {
     Json json{{"size_px", at.sizePx},
-              {"sigma_in_force", at.sigmaInForce},
-              {"screen_px_a_virtual_px", at.screenPxPerPx},
+              {"sigma_in_force", known(at.sigmaInForce)},
+              {"screen_px_a_virtual_px", known(at.screenPxPerPx)},
               {"sprite", jsonOf(at.sprite)},
               {"perspective", jsonOf(at.perspective)},
               {"numbers", nullptr},
@@ -96,6 +96,9 @@ void addPoints(const Curve& curve, const char* series, Json& out) {
 }
 
 Json jsonOf(const ModelReport& model) {
+    Json skipped = Json::array();
+    for (const Skipped& one : model.skipped)
+        skipped.push_back({{"name", one.name}, {"reason", one.reason}});
     Json points = Json::array();
     addPoints(model.curve, "game", points);
     if (model.light) addPoints(*model.light, "light", points);
@@ -114,6 +117,7 @@ Json jsonOf(const ModelReport& model) {
               {"degrees_a_frame", model.plan.degreesAFrame},
               {"recorded_frames", model.plan.recordedWay.size()},
               {"flip_pixels_a_degree", model.plan.flipPixelsPerDegree}}},
+            {"skipped", std::move(skipped)},
             {"points", std::move(points)}};
 }
 

@@ -170,8 +170,8 @@ Plan planOf(const RunOptions& options, const std::shared_ptr<const Model>& model
     plan.recordedWay = options.recordedWay;
     if (!options.quick) return plan;
     plan.views = 2;
-    plan.frames = 6;
-    plan.degreesAFrame = 1.5;
+    plan.frames = 40;
+    plan.degreesAFrame = 2.25;
     plan.repeatMilliseconds = 0.0;
     plan.idealSamples = 1000;
     return plan;
@@ -188,22 +188,29 @@ bool hasWalks(const std::vector<AxisSetting>& settings) {
 
 // What the rival's walk, which the processor alone has, is compared with.
 Status measureOnProcessor(const Subject& subject, const Plan& plan, ProgressLine& line,
-                          Curve& curve) {
+                          Curve& curve, std::vector<Skipped>& skipped) {
     Result<Meter> meter = Meter::create(subject.model, plan);
     if (!meter) return Failure(meter.error());
     line.begin(curve.model + ", on the processor", 0.0);
     Result<std::optional<Point>> point =
         meter->measure({Axis::walk, settingOf(plan.profile)}, line.progress());
-    if (!point) return Failure(point.error());
+    if (!point) {
+        skipped.push_back({"as the game has it, on the processor", point.error().message});
+        return {};
+    }
     if (!*point) return {};
     (*point)->name += ", on the processor";
-    curve.points.push_back(std::move(**point));
+    // As often as all others.
+    const Result<bool> timed = meter->timeAgain(**point, line.progress());
+    if (!timed) return Failure(timed.error());
+    if (*timed) curve.points.push_back(std::move(**point));
     return {};
 }
 
-// Adds the points to the curve until it is stopped.
+// Adds the points to the curve until it is stopped; and to `skipped` what cannot be drawn.
 Status measureCurve(const Subject& subject, const std::vector<AxisSetting>& settings,
-                    const Plan& plan, GlStage* stage, ProgressLine& line, Curve& curve) {
+                    const Plan& plan, GlStage* stage, ProgressLine& line, Curve& curve,
+                    std::vector<Skipped>& skipped) {
     curve.model = subject.model->name;
     curve.profile = plan.profile;
     curve.backend = stage != nullptr ? "gl" : "cpu";
@@ -214,7 +221,11 @@ Status measureCurve(const Subject& subject, const std::vector<AxisSetting>& sett
         line.begin(curve.model + ", " + describe(each.setting, settingOf(plan.profile)),
                    1.0 - kAgainWeight);
         Result<std::optional<Point>> point = meter->measure(each, line.progress());
-        if (!point && each.setting.drawnBy == Representation::clusters) continue;  // too large
+        if (!point && each.axis != Axis::game) {
+            skipped.push_back(
+                {describe(each.setting, settingOf(plan.profile)), point.error().message});
+            continue;
+        }
         if (!point) return Failure(inFile(std::move(point), subject.file).error());
         if (!*point) return {};
         curve.points.push_back(std::move(**point));
@@ -225,9 +236,9 @@ Status measureCurve(const Subject& subject, const std::vector<AxisSetting>& sett
         if (!timed) return Failure(inFile(timed, subject.file).error());
         if (!*timed) return {};
     }
-    const bool walks = std::any_of(settings.begin(), settings.end(),
-                                   [](const AxisSetting& each) { return each.axis == Axis::walk; });
-    return stage != nullptr && walks ? measureOnProcessor(subject, plan, line, curve) : Status();
+    return stage != nullptr && hasWalks(settings)
+               ? measureOnProcessor(subject, plan, line, curve, skipped)
+               : Status();
 }
 
 Status measureModel(const Subject& subject, const RunOptions& options, GlStage* stage,
@@ -241,14 +252,24 @@ Status measureModel(const Subject& subject, const RunOptions& options, GlStage* 
     out.plan = planOf(options, subject.model, subject.profile);
     Status measured =
         measureCurve(subject, subject.settings, planOf(options, subject.model, subject.profile),
-                     stage, line, out.curve);
+                     stage, line, out.curve, out.skipped);
     if (!measured || subject.lightSettings.empty() || line.stopped()) return measured;
     return measureCurve(subject, subject.lightSettings,
                         planOf(options, subject.model, subject.lit()), stage, line,
-                        out.light.emplace());
+                        out.light.emplace(), out.skipped);
 }
 
 constexpr double kGrowthWeight = 10.0;  // settings that it takes as long as
+
+// That the report can be written there shows before it is measured.
+Status makeFolder(const std::string& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) return failInFile(folder, "cannot make the folder: " + error.message());
+    if (access(folder.c_str(), W_OK) != 0)
+        return failInFile(folder, "the folder cannot be written to");
+    return {};
+}
 
 }  // namespace
 
@@ -263,6 +284,7 @@ Result<TradeReport> runTrade(const RunOptions& options) {
     std::optional<GlStage> stage;
     if (options.gl) {
         Result<gl::HeadlessContext> created = gl::HeadlessContext::create();
+        if (!created && options.needGl) return Failure(created.error());
         if (created) {
             context.emplace(std::move(*created));
             report.machine["gl"] = gl::driverInfo().renderer + ", " + gl::driverInfo().version;
@@ -281,19 +303,23 @@ Result<TradeReport> runTrade(const RunOptions& options) {
         whole += subject->count();
         subjects.push_back(std::move(*subject));
     }
+    if (Status folder = makeFolder(options.folder); !folder) return Failure(folder.error());
     ProgressLine line(whole);
     for (const Subject& subject : subjects) {
         if (line.stopped()) break;
-        Status measured = measureModel(subject, options, stage ? &*stage : nullptr, line,
-                                       report.models.emplace_back());
-        if (!measured) return Failure(measured.error());
+        ModelReport model;
+        Status measured = measureModel(subject, options, stage ? &*stage : nullptr, line, model);
+        if (!measured) report.failures.push_back(measured.error());
+        if (measured || !model.curve.points.empty()) report.models.push_back(std::move(model));
     }
     if (options.growth && !line.stopped()) {
         line.begin("costs that grow", kGrowthWeight);
         Result<std::vector<Growth>> growth =
             measureGrowth(options.quick, stage.has_value(), line.progress());
-        if (!growth) return Failure(growth.error());
-        report.growth = std::move(*growth);
+        if (growth)
+            report.growth = std::move(*growth);
+        else
+            report.failures.push_back(growth.error());
     }
     report.finished = !line.stopped();
     return report;

@@ -38,7 +38,6 @@ trade::Plan TradeStudy::usualPlan() {
     trade::Plan plan = trade::quickPlan({});
     // The figures of a curve are chosen by: times must not tremble much.
     plan.views = 3;
-    plan.leastRepeats = 3;
     return plan;
 }
 

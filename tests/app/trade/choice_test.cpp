@@ -127,5 +127,16 @@ TEST(Figures, SpreadsAreThoseOfTheValues) {
     EXPECT_EQ(spreadOf({}).runs, 0);
 }
 
+// Two runs, each disturbed in another part: the least is what neither disturbance is in.
+TEST(Figures, TheLeastOfRunsIsTakenPartByPart) {
+    const Spread spread = spreadOfParts({{1, 9, 1}, {5, 2, 1}});
+    EXPECT_EQ(spread.least, 4.0);
+    EXPECT_EQ(spread.median, 9.5);
+    EXPECT_EQ(spread.most, 11.0);
+    EXPECT_EQ(spread.runs, 2);
+    EXPECT_EQ(spreadOfParts({{2, 3}}).least, 5.0);
+    EXPECT_EQ(spreadOfParts({}).runs, 0);
+}
+
 }  // namespace
 }  // namespace voxprite::trade

@@ -7,9 +7,11 @@
 #include <map>
 
 #include "app/trade/choice.h"
+#include "app/trade/drawer.h"
 #include "app/trade/gl_stage.h"
 #include "core/svo/bake.h"
 #include "render/gl/context.h"
+#include "render/measure_representations.h"
 #include "tests/support/must.h"
 #include "tests/support/voxels.h"
 
@@ -138,6 +140,57 @@ TEST(Meter, SettingsAreWorthWhatTheyMustBe) {
         }
 }
 
+// Wide steps change seldom: what they save shows on a way that is long enough.
+TEST(Meter, TheWiderTheStepTheFewerTheRays) {
+    Plan plan = quickPlan(GameProfile{});
+    plan.sizesPx = {28};
+    plan.profile.sigma = 2.0;
+    plan.views = 1;
+    plan.leastRepeats = 1;
+    const Points points = measureAll(plan, nullptr, {Axis::game, Axis::viewStep});
+    const auto rays = [&](const char* name) { return only(points, name).costs->rays; };
+    EXPECT_GE(rays("as the game has it"), rays("views every 2.5°"));
+    EXPECT_GT(rays("views every 2.5°"), 1.5 * rays("views every 5°"));
+    EXPECT_GT(rays("views every 5°"), 1.5 * rays("views every 15°"));
+    EXPECT_LT(only(points, "views every 15°").costs->casts, 0.3);
+}
+
+TEST(Meter, ACameraThatOnlyRollsIsNotStill) {
+    Plan plan = smallPlan();
+    plan.costs = false;
+    for (int k = 0; k < 8; ++k) plan.recordedWay.push_back({30.0, 20.0, 2.0 * k});
+    Meter meter = must(Meter::create(figureModel(), plan));
+    const AxisSetting game{Axis::game, settingOf(plan.profile)};
+    const double rolling = must(meter.measure(game)).value().bySize.front().time.changedADegree;
+    EXPECT_GT(rolling, 0.0);
+    // Twice as fast: about half as much a degree changes with every frame.
+    EXPECT_LT(rolling, 0.5);
+}
+
+// A long way holds no more pictures than fit the bound, and casts again what had to go.
+TEST(Drawer, KeepsNoMorePicturesThanItsBound) {
+    GameProfile profile;
+    profile.minification = false;
+    profile.sigma = 32.0;
+    ModelParts parts(figureModel(), profile);
+    Drawer drawer = must(Drawer::create(parts, profile, settingOf(profile)));
+    // The casts until then, after one more view.
+    const auto seen = [&](int view) {
+        const Camera camera = cameraAtSize(parts.placed().radiusMetres(), 8.0,
+                                           {10.0 * view, 20.0, 0.0}, glm::ivec2(16));
+        EXPECT_TRUE(drawer.draw(camera, false));
+        return static_cast<int>(drawer.counts().casts);
+    };
+    EXPECT_EQ(seen(0), 1);
+    EXPECT_EQ(seen(0), 1);
+    int casts = 1;
+    while (casts < 36 && drawer.counts().castBytes <= kMostKeptBytes) casts = seen(casts);
+    ASSERT_GT(drawer.counts().castBytes, kMostKeptBytes);
+    EXPECT_LE(drawer.counts().mostKeptBytes, kMostKeptBytes);
+    EXPECT_EQ(seen(casts - 1), casts);
+    EXPECT_EQ(seen(0), casts + 1);
+}
+
 // Timed again: more runs, nothing else.
 TEST(Meter, TimesAgain) {
     Meter meter = must(Meter::create(figureModel(), smallPlan()));
@@ -146,7 +199,8 @@ TEST(Meter, TimesAgain) {
     ASSERT_TRUE(must(meter.timeAgain(again)));
     for (std::size_t k = 0; k < first.bySize.size(); ++k) {
         const Costs &before = *first.bySize[k].costs, &after = *again.bySize[k].costs;
-        EXPECT_GE(after.milliseconds.runs, before.milliseconds.runs + 2);
+        EXPECT_EQ(after.milliseconds.runs, before.milliseconds.runs + 2);
+        EXPECT_EQ(after.runsMilliseconds.front().size(), before.runsMilliseconds.front().size());
         EXPECT_EQ(after.milliseconds.runs, static_cast<int>(after.runsMilliseconds.size()));
         EXPECT_LE(after.milliseconds.least, before.milliseconds.least);
         EXPECT_GE(after.milliseconds.most, before.milliseconds.most);
