@@ -40,8 +40,8 @@ Result<Json> readKept(const std::string& file) {
     return kept;
 }
 
-// Ratios to what was kept and to the rivals, and what is to be kept of this run.
-Status addRatios(const BenchOptions& options, const std::optional<Json>& kept, Report& report) {
+// Ratios to what was kept and to the rivals; what is to be kept of this run, if it is whole.
+void addRatios(const BenchOptions& options, const std::optional<Json>& kept, Report& report) {
     const Json run = report.json;
     if (kept) {
         const std::vector<bench::Ratio> ratios = bench::ratiosOf(run, *kept);
@@ -49,9 +49,10 @@ Status addRatios(const BenchOptions& options, const std::optional<Json>& kept, R
         report.text += "\n" + bench::ratioTable(ratios, *kept, style);
         report.json["ratios"] = bench::jsonOf(ratios);
     }
-    if (!options.keep) return {};
-    return writeFileAtomically(*options.keep,
-                               bench::keptFigures(run, VOXPRITE_COMMIT).dump(1) + "\n");
+    if (!options.keep || report.failure) return;
+    const Status written =
+        writeFileAtomically(*options.keep, bench::keptFigures(run, VOXPRITE_COMMIT).dump(1) + "\n");
+    if (!written) report.failure = inFile(written, *options.keep).error();
 }
 
 std::filesystem::path corpusOf(const BenchOptions& options) {
@@ -118,8 +119,14 @@ Result<Report> runBench(const BenchOptions& options) {
     for (std::size_t k = 0; k < kParts.size(); ++k) {
         if (!wanted(kParts[k])) continue;
         Result<Json> figures = run[k](*models, effort);
-        if (!figures) return Failure(figures.error());
-        report.json[kParts[k]] = std::move(*figures);
+        if (figures) {
+            report.json[kParts[k]] = std::move(*figures);
+            continue;
+        }
+        // The other parts took their time, too: they are printed all the same.
+        Error error = std::move(figures.error());
+        error.message = std::string(kParts[k]) + " could not be measured: " + error.message;
+        if (!report.failure) report.failure = std::move(error);
     }
     if (options.markdown && report.json.contains("cast"))
         report.text += bench::castTable(report.json["cast"]);
@@ -135,7 +142,7 @@ Result<Report> runBench(const BenchOptions& options) {
     if (options.markdown && report.json.contains("files"))
         report.text += bench::fileTable(report.json["files"]);
     if (report.text.empty()) report.text = describe(report.json);
-    if (Status added = addRatios(options, kept, report); !added) return Failure(added.error());
+    addRatios(options, kept, report);
     return report;
 }
 
@@ -159,7 +166,8 @@ void addBench(CLI::App& app, Command& command) {
     sub.add_option("--against", options->against,
                    "Print ratios to the figures kept there, and to the rivals of this run")
         ->type_name("FILE");
-    sub.add_option("--keep", options->keep, "Keep this run's figures there, for --against")
+    sub.add_option("--keep", options->keep,
+                   "Keep this run's figures there, for --against (if all of it could be measured)")
         ->type_name("FILE");
     addJsonFlag(sub, command);
     runs(sub, command, options, runBench);

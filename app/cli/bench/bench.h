@@ -1,5 +1,12 @@
-// The performance figures of this machine, part by part. Every figure is measured here and now: the
-// median of repeated runs, after one that is not counted.
+// The performance figures of this machine, part by part. Every figure is measured here and now:
+//   most            the median of repeated runs, after one that is not counted (medianMs)
+//   cast            the shortest of two or three rounds, each as often as fills four milliseconds
+//   update          the median over many places; no run before it
+//   start           the median of whole starts; no run before it
+//   loops           one run, the first, so that instructions are counted once
+//   conversions     of files by whole programs: the shortest of three runs that succeed
+//   timesFaster     of one sprite: by the fastest frames of either way
+//   clusters        building: the median; no run before it
 #pragma once
 
 #include <cstdint>
@@ -75,7 +82,8 @@ void progress(const Effort& effort, const std::string& what);
 // Of the editor: milliseconds from the start of its process until each part is done, "first frame"
 // among them, without a shader cache. Starts a virtual display where there is none.
 [[nodiscard]] Result<Json> benchStart(const std::vector<BenchModel>& models, const Effort& effort);
-// On models of its own; rays that OpenGL sees end elsewhere are in the figure (`differing`).
+// On models of its own; rays that OpenGL sees end elsewhere are in the figure (`differing`). The
+// processor's rays become whole numbers within the time, OpenGL's before it.
 [[nodiscard]] Result<Json> benchRaycast(const std::vector<BenchModel>& models,
                                         const Effort& effort);
 // In the editor, from input to picture; on models of its own.

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <set>
+#include <tuple>
 
 #include "app/cli/bench/tables.h"
 #include "app/cli/text_table.h"
@@ -10,71 +12,87 @@
 namespace voxprite::bench {
 namespace {
 
-constexpr std::array kCasters{"nanovdb",   "openvdb", "octree_restart",
-                              "dense_dda", "scalar",  "packet"};
+// Ours is "packet"; by one thread.
+constexpr std::array kOthers{"scalar", "nanovdb", "openvdb", "octree_restart", "dense_dda"};
+constexpr std::array kKinds{"parallel", "perspective"};
 
-std::string rounded(double value) {
+std::string rounded(double value, double wholeFrom) {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), value < 100.0 ? "%.1f" : "%.0f", value);
+    std::snprintf(text.data(), text.size(), value < wholeFrom ? "%.1f" : "%.0f", value);
     return text.data();
 }
 
-// One model under one kind of rays, by caster; `more` by all threads.
+// Million rays a second of a model, by kind of rays, caster and threads.
 struct Row {
-    std::string model, kind;
-    std::map<std::string, double> rate, more;
-};
+    std::string model;
+    std::map<std::tuple<std::string, std::string, int>, double> rates;
 
-std::vector<Row> rowsOf(const Json& figures) {
-    std::vector<Row> rows;
-    for (const Json& figure : figures) {
-        if (!figure.contains("mrays_per_s")) continue;
-        const std::string model = figure["model"], kind = figure["kind"];
-        auto row = std::ranges::find_if(
-            rows, [&](const Row& r) { return r.model == model && r.kind == kind; });
-        if (row == rows.end()) row = rows.insert(rows.end(), Row{model, kind, {}, {}});
-        auto& rates = figure["threads"] == 1 ? row->rate : row->more;
-        rates[figure["caster"]] = figure["mrays_per_s"];
+    // 0: not measured.
+    [[nodiscard]] double rate(const std::string& kind, const std::string& caster,
+                              int threads) const {
+        const auto found = rates.find({kind, caster, threads});
+        return found == rates.end() ? 0.0 : found->second;
     }
-    return rows;
-}
+    // "346 / 120": parallel and eye rays; empty where neither was measured.
+    template <class Of>
+    [[nodiscard]] static std::string both(double wholeFrom, Of of) {
+        std::string text;
+        bool any = false;
+        for (const char* kind : kKinds) {
+            const double value = of(std::string(kind));
+            any = any || value > 0.0;
+            text += (text.empty() ? "" : " / ") + (value > 0.0 ? rounded(value, wholeFrom) : "-");
+        }
+        return any ? text : "";
+    }
+};
 
 }  // namespace
 
 std::string castTable(const Json& figures) {
-    std::vector<std::vector<std::string>> rows{{"model", "rays"}};
-    for (const char* caster : kCasters) rows[0].push_back("`" + std::string(caster) + "`");
-    rows[0].insert(rows[0].end(),
-                   {"times `nanovdb`", "times `dense_dda`", "all threads, times one"});
+    std::vector<Row> table;
+    std::set<int> threads;
+    for (const Json& figure : figures) {
+        if (!figure.contains("mrays_per_s")) continue;
+        const std::string model = figure["model"];
+        auto row = std::ranges::find(table, model, &Row::model);
+        if (row == table.end()) row = table.insert(table.end(), Row{model, {}});
+        const int count = figure["threads"];
+        threads.insert(count);
+        row->rates[{figure["kind"], figure["caster"], count}] = figure["mrays_per_s"];
+    }
+    std::vector<std::vector<std::string>> rows{{"model"}};
+    for (const int count : threads)
+        rows[0].push_back(count == 1 ? "packets"
+                                     : "packets, " + std::to_string(count) + " threads");
+    rows[0].insert(rows[0].end(), kOthers.begin(), kOthers.end());
+    rows[0].emplace_back("times nanovdb");
     double logarithms = 0.0;
     int files = 0;
-    for (const Row& row : rowsOf(figures)) {
+    for (const Row& row : table) {
         std::vector<std::string>& cells = rows.emplace_back();
-        cells = {row.model, row.kind};
-        const auto rateOf = [&](const char* caster) {
-            const auto found = row.rate.find(caster);
-            return found == row.rate.end() ? 0.0 : found->second;
+        cells = {row.model};
+        for (const int count : threads)
+            cells.push_back(Row::both(
+                100.0, [&](const std::string& kind) { return row.rate(kind, "packet", count); }));
+        for (const char* caster : kOthers)
+            cells.push_back(Row::both(
+                100.0, [&](const std::string& kind) { return row.rate(kind, caster, 1); }));
+        const auto times = [&](const std::string& kind) {
+            const double theirs = row.rate(kind, "nanovdb", 1);
+            return theirs > 0.0 ? row.rate(kind, "packet", 1) / theirs : 0.0;
         };
-        for (const char* caster : kCasters)
-            cells.push_back(rateOf(caster) > 0.0 ? rounded(rateOf(caster)) : "");
-        const double ours = rateOf("packet");
-        const auto times = [&](double other) {
-            return ours > 0.0 && other > 0.0 ? rounded(ours / other) : std::string();
-        };
-        cells.push_back(times(rateOf("nanovdb")));
-        cells.push_back(times(rateOf("dense_dda")));
-        const auto more = row.more.find("packet");
-        cells.push_back(more == row.more.end() || ours == 0.0 ? "" : rounded(more->second / ours));
-        if (row.kind == "parallel" && row.model.find('/') != std::string::npos &&
-            !row.model.starts_with("samples/")) {
-            logarithms += std::log(ours / rateOf("nanovdb"));
-            ++files;
-        }
+        cells.push_back(Row::both(1e9, times));
+        const bool corpus =
+            row.model.find('/') != std::string::npos && !row.model.starts_with("samples/");
+        if (!corpus || !(times("parallel") > 0.0)) continue;
+        logarithms += std::log(times("parallel"));
+        ++files;
     }
     std::string text = cli::textOf(rows, cli::TableStyle::markdown);
     if (files > 0)
         text += "\nParallel rays over the corpus, geometric mean: " +
-                rounded(std::exp(logarithms / files)) + " times `nanovdb`.\n";
+                rounded(std::exp(logarithms / files), 1e9) + " times `nanovdb`.\n";
     return text;
 }
 

@@ -77,14 +77,13 @@ class FrameBench {
   private:
     template <class Draw>
     Json& measure(const std::string& model, const char* distance, const char* mode, Draw draw) {
-        int frames = 0;
+        int frames = -1;  // the first is not counted
         double processor = 0.0;
         const double ms = medianMs(effort_, [&] {
             const double before = processorMs();
             draw();
             glFinish();
-            processor += processorMs() - before;
-            ++frames;
+            if (++frames > 0) processor += processorMs() - before;
         });
         out_.push_back({{"model", model},
                         {"distance", distance},

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <optional>
 
 #include "app/cli/bench/crowd_scene.h"
@@ -98,9 +99,9 @@ class CrowdBench {
 
     struct Drawn {
         int entities = 0;
-        std::uint64_t rays = 0;
-        std::uint64_t casts = 0;
-        std::uint64_t castsReused = 0;
+        double rays = 0.0;
+        double casts = 0.0;
+        double castsReused = 0.0;
         int drawCalls = 0;
         std::uint64_t atlasBytes = 0;
     };
@@ -115,8 +116,12 @@ class CrowdBench {
             what.way == Way::sprite ? SpriteMode::spriteBuffer : SpriteMode::singlePass;
         const Result<SceneStats> stats = renderer_.draw(frame_, scene_, camera, profile_, mode);
         if (!stats) return Failure(stats.error());
-        return Drawn{stats->drawn,       stats->rays,      stats->casts,
-                     stats->castsReused, stats->drawCalls, stats->atlasBytes};
+        return Drawn{stats->drawn,
+                     static_cast<double>(stats->rays),
+                     static_cast<double>(stats->casts),
+                     static_cast<double>(stats->castsReused),
+                     stats->drawCalls,
+                     stats->atlasBytes};
     }
 
     void makeScene(const Case& what) {
@@ -144,7 +149,9 @@ class CrowdBench {
         glFinish();
         const cli::Stopwatch total;
         std::vector<double> wallMs, cpuMs, gpuMs;
-        Drawn drawn;
+        // Of the last frame; but rays and casts are those of all of them, for with a view step most
+        // frames cast nothing.
+        Drawn drawn, sum;
         while (wanted(wallMs, total.milliseconds())) {
             const Camera camera = nextCamera(what);
             const cli::Stopwatch frame;
@@ -154,18 +161,24 @@ class CrowdBench {
             cpuMs.push_back(frame.milliseconds());
             if (!next) return Failure(next.error());
             drawn = *next;
+            sum.rays += drawn.rays;
+            sum.casts += drawn.casts;
+            sum.castsReused += drawn.castsReused;
             glFinish();
             wallMs.push_back(frame.milliseconds());
             gpuMs.push_back(gpuTimer_.waitMs());
         }
         if (what.way == Way::seed)
-            drawn.rays = seed_.countRays(frame_, members_, nextCamera(what), profile_).rays;
+            drawn.rays = static_cast<double>(
+                seed_.countRays(frame_, members_, nextCamera(what), profile_).rays);
+        const auto frames = static_cast<double>(wallMs.size());
         const double ms = median(wallMs);
         Json& figure = out_.emplace_back(describe(what));
         figure["drawn"] = drawn.entities;
-        figure["rays"] = drawn.rays;
-        figure["casts"] = drawn.casts;
-        figure["castsReused"] = drawn.castsReused;
+        // Means a frame.
+        figure["rays"] = what.way == Way::seed ? drawn.rays : sum.rays / frames;
+        figure["casts"] = sum.casts / frames;
+        figure["castsReused"] = sum.castsReused / frames;
         figure["firstRays"] = start->rays;  // of the frame that casts all that is shown
         figure["firstCasts"] = start->casts;
         figure["drawCalls"] = drawn.drawCalls;
@@ -174,6 +187,8 @@ class CrowdBench {
         figure["cpuMs"] = median(cpuMs);  // until all commands are given
         figure["gpuMs"] = median(gpuMs);  // between the first command and the end of the last
         figure["ms"] = ms;                // until all is drawn
+        figure["meanMs"] = std::accumulate(wallMs.begin(), wallMs.end(), 0.0) / frames;
+        figure["mostMs"] = *std::ranges::max_element(wallMs);
         if (what.way == Way::seed && what.entities <= 100) {
             const Result<double> off = seedOff(what);
             if (!off) return Failure(off.error());

@@ -9,7 +9,8 @@ namespace voxprite::bench {
 // Adds the figures of scenes of 1 to 100,000 entities of 16 models (10,000 with `quick`): both
 // views, a still and a moving camera, with views snapped and not, both modes, and the
 // specification's own way (`seed`; it knows camera_forward alone). Where a frame would take too
-// long the scene is left out, with the reason in its figure. Needs a current GL context.
+// long the scene is left out, with the reason in its figure. Rays and casts are means over the
+// timed frames, `ms` is their median, beside `meanMs` and `mostMs`. Needs a current GL context.
 [[nodiscard]] Status benchCrowds(SceneRenderer& renderer, const Effort& effort, Json& out);
 
 // Adds one sprite that fills the picture, 8 screen pixels a virtual pixel, seen anew in every

@@ -18,7 +18,8 @@ namespace voxprite::bench {
 // The same of benchShade: a row a model.
 [[nodiscard]] std::string shadeTable(const Json& figures);
 
-// The same of benchCast: a row a model and kind of rays, one thread.
+// The same of benchCast: a row a model, parallel and eye rays in each cell; one thread, but for the
+// packets of all threads.
 [[nodiscard]] std::string castTable(const Json& figures);
 
 // The same of benchRaycast: a row for each model, depth and limit.
