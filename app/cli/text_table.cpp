@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <iomanip>
 #include <sstream>
@@ -45,7 +46,11 @@ std::string textOf(const std::vector<std::vector<std::string>>& rows, TableStyle
 
 std::string textOf(double number) {
     std::ostringstream text;
-    text << std::setprecision(4) << number;
+    const double size = std::abs(number);
+    if (size >= 9999.5 && size < 1e15)
+        text << std::fixed << std::setprecision(0) << number;
+    else
+        text << std::setprecision(4) << number;
     return text.str();
 }
 

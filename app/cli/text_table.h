@@ -13,7 +13,7 @@ enum class TableStyle : std::uint8_t { plain, markdown };
 [[nodiscard]] std::string textOf(const std::vector<std::vector<std::string>>& rows,
                                  TableStyle style);
 
-// Four digits, without trailing zeros.
+// Four digits, without trailing zeros; 10,000 and more whole, without an exponent.
 [[nodiscard]] std::string textOf(double number);
 // "0.42 %", "12.3 %"
 [[nodiscard]] std::string percentText(double share);

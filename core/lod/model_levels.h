@@ -22,7 +22,7 @@ struct ModelLevels {
     glm::ivec3 size{0};
     // [k] leaves k + 1 levels out; coarseLevelsOf(size) of them.
     std::vector<Octree> coarse;
-    ClusterMesh clusters;  // empty where the octree is too deep for one
+    ClusterMesh clusters;  // empty where buildClusters() fails: too deep, or too large a surface
 };
 
 // On any thread; the result depends on the octree alone. Fails as coarsen() does.

@@ -97,6 +97,8 @@ TEST_F(Trade, TheReadmeShowsWhatTheCommandPrints) {
         rows += cells ? 1 : 0;
     }
     EXPECT_GE(rows, 29);
+    // Rays are counts that people read.
+    EXPECT_EQ(printed.out.find("e+"), std::string::npos);
 }
 
 // Without snapping every frame of a slow turn changes pixels, and trembling does; with a step a few

@@ -1,5 +1,6 @@
 // What the sprite specification's literal reading costs against ours, row by row of the decisions.
-// Every figure is computed here and now, without a clock, and the same on every run.
+// Every figure is computed here and now, without a clock, and the same on every run; what is
+// promised never comes from ours.
 #pragma once
 
 #include <string>

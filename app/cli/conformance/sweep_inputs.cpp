@@ -69,12 +69,15 @@ std::vector<Input> everyInput() {
         {"sigma", [](Inputs& in) -> double& { return in.profile.sigma; }},
         {"clearance", [](Inputs& in) -> double& { return in.profile.groundClearancePx; }},
         {"view step", [](Inputs& in) -> double& { return in.profile.viewStepDegrees; }},
-        {"ambient", [](Inputs& in) -> double& { return in.profile.light.ambient; }}};
+        {"ambient", [](Inputs& in) -> double& { return in.profile.light.ambient; }},
+        {"occlusion", [](Inputs& in) -> double& { return in.profile.light.occlusion; }},
+        {"shadow", [](Inputs& in) -> double& { return in.profile.light.shadow; }}};
     addVector(all, "eye", [](Inputs& in) -> glm::dvec3& { return in.camera.eyeMetres; });
     addVector(all, "right", [](Inputs& in) -> glm::dvec3& { return in.camera.right; });
     addVector(all, "up", [](Inputs& in) -> glm::dvec3& { return in.camera.up; });
     addVector(all, "forward", [](Inputs& in) -> glm::dvec3& { return in.camera.forward; });
     addVector(all, "anchor", [](Inputs& in) -> glm::dvec3& { return in.entity.anchor; });
+    addVector(all, "centre", [](Inputs& in) -> glm::dvec3& { return in.entity.centreFromMiddle; });
     addVector(all, "position", [](Inputs& in) -> glm::dvec3& { return in.entity.anchorMetres; });
     addVector(all, "light", [](Inputs& in) -> glm::dvec3& { return in.profile.light.towardLight; });
     for (int column = 0; column < 3; ++column)
