@@ -181,8 +181,10 @@ void App::buildUi(Ui& ui) {
     drawStatusBar(ui);
     ImGui::End();
 
+    // What was asked before this frame is answered by it; see FileFlow::draw().
+    const bool asked = files_.asks() || files_.blocks();
     files_.draw(ui);
-    drawOverlays(ui, layout);
+    if (!asked) drawOverlays(ui, layout);
     const float left = layout.edit.min.x, right = layout.sprite.max().x;
     toasts_.draw(theme, {(left + right) * 0.5f, layout.edit.max().y},
                  std::min(theme.px(560), right - left - theme.px(32)));
@@ -205,16 +207,21 @@ void App::drawDock(Ui& ui) {
 }
 
 void App::drawOverlays(Ui& ui, const Layout& layout) {
-    if (!files_.blocks()) {
+    if (recovery_.isOpen()) {
         if (const auto work = recovery_.draw(ui)) recover(*work);
-    }
-    overlays_.palette.draw(ui);
-    overlays_.preferences.draw(ui);
-    overlays_.tour.draw(ui, layout);
-    if (auto sheet = overlays_.sheet.draw(ui)) files_.exportSheet(std::move(*sheet));
-    if (const auto saved = overlays_.cameras.draw(ui, voxels_.camera())) {
-        voxels_.camera() = cameraFrom(*saved, sphereInEditView(session_));
-        sprite_.camera() = cameraFrom(*saved, sphereInSpriteView(session_));
+    } else if (overlays_.palette.isOpen()) {
+        overlays_.palette.draw(ui);
+    } else if (overlays_.preferences.isOpen()) {
+        overlays_.preferences.draw(ui);
+    } else if (overlays_.cameras.isOpen()) {
+        if (const auto saved = overlays_.cameras.draw(ui, voxels_.camera())) {
+            voxels_.camera() = cameraFrom(*saved, sphereInEditView(session_));
+            sprite_.camera() = cameraFrom(*saved, sphereInSpriteView(session_));
+        }
+    } else if (overlays_.sheet.isOpen()) {
+        if (auto sheet = overlays_.sheet.draw(ui)) files_.exportSheet(std::move(*sheet));
+    } else {
+        overlays_.tour.draw(ui, layout);
     }
 }
 
@@ -345,12 +352,11 @@ void App::lockCameras() {
 }
 
 std::string App::openDialog() const {
-    if (recovery_.isOpen()) return "recovery";
+    if (std::string dialog = dialogs_.openName(); !dialog.empty()) return dialog;
     if (files_.isBrowsing()) return "browser";
     if (files_.isImporting()) return "import";
     if (files_.entities().isOpen()) return "entities";
-    const std::string dialog = dialogs_.openName();
-    return dialog.empty() ? overlays_.openName() : dialog;
+    return recovery_.isOpen() ? "recovery" : overlays_.openName();
 }
 
 bool App::animates() const {

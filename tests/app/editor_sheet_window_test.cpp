@@ -122,6 +122,44 @@ TEST_F(SheetInAWindow, WhatCannotBeMadeIsToldAndNotWritten) {
     EXPECT_TRUE(std::filesystem::exists(file("walk.json")));
 }
 
+// What ends the typing of a number, or the choice of a file, is no answer to the dialog.
+TEST_F(SheetInAWindow, EnterAndEscapeAnswerWhatHasTheKeys) {
+    ASSERT_NO_FATAL_FAILURE(openWalk());
+    key("ctrl+shift+e");
+    awaitDialog("sheet");
+    clickWith("ctrl", centreOf("sheet.directions"));
+    key("ctrl+a");
+    type("5");
+    key("Return");
+    await("ten sprites", [](const Json& now) {
+        return now.at("state").at("sheet").get<std::string>().starts_with("10 sprites");
+    });
+    EXPECT_EQ(state().at("dialog"), "sheet");
+    click(centreOf("sheet.browse"));
+    awaitDialog("browser");
+    static_cast<void>(centreOf("browser.name"));
+    key("Escape");
+    awaitDialog("sheet");
+    click(centreOf("sheet.browse"));
+    awaitDialog("browser");
+    static_cast<void>(centreOf("browser.name"));
+    key("ctrl+a");
+    type("chosen.png");
+    key("Return");
+    awaitDialog("sheet");
+    // The dialog is there to be seen: Enter in the name of the file answers it.
+    click(centreOf("sheet.file"));
+    EXPECT_EQ(state().at("dialog"), "sheet");
+    EXPECT_FALSE(std::filesystem::exists(file("chosen.png")));
+    EXPECT_FALSE(std::filesystem::exists(file("walk.png")));
+    key("KP_Enter");
+    awaitDialog("");
+    await("the news", [](const Json& now) {
+        return now.at("state").at("toast").get<std::string>().starts_with("Exported chosen.png");
+    });
+    EXPECT_TRUE(std::filesystem::exists(file("chosen.png")));
+}
+
 TEST_F(SheetInAWindow, EveryFormatThatIsWrittenCanBeChosen) {
     ASSERT_NO_FATAL_FAILURE(openWalk());
     key("ctrl+shift+s");

@@ -66,7 +66,7 @@ std::vector<const Command*> commandsMatching(std::string_view query) {
 }
 
 void CommandPalette::open() {
-    open_ = appearing_ = true;
+    open_ = true;
     query_ = {};
     chosen_ = 0;
 }
@@ -90,24 +90,23 @@ void CommandPalette::draw(Ui& ui) {
         drawList(ui);
         const bool beside = ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
                             !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows);
-        if (pressedKey(ImGuiKey_Escape) || (beside && !appearing_)) open_ = false;
+        if (pressedKey(ImGuiKey_Escape) || (beside && !ImGui::IsWindowAppearing())) open_ = false;
         if (!open_) ImGui::CloseCurrentPopup();
         ImGui::EndPopup();
     }
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(3);
-    appearing_ = false;
 }
 
 void CommandPalette::drawList(Ui& ui) {
     const Theme& theme = ui.theme;
-    if (appearing_) ImGui::SetKeyboardFocusHere();
+    const bool appearing = ImGui::IsWindowAppearing();
+    if (appearing) ImGui::SetKeyboardFocusHere();
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, theme.px(10, 8));
     ImGui::SetNextItemWidth(-1.0f);
-    if (ImGui::InputTextWithHint("##query", "What do you want to do?", query_.data(),
-                                 query_.size())) {
-        chosen_ = 0;
-    }
+    const bool typed = ImGui::InputTextWithHint("##query", "What do you want to do?", query_.data(),
+                                                query_.size());
+    if (typed) chosen_ = 0;
     ImGui::PopStyleVar();
     ui.probe.markItem("palette.query");
 
@@ -121,7 +120,9 @@ void CommandPalette::drawList(Ui& ui) {
     if (repeats(ImGuiKey_PageDown)) chosen_ += kRows;
     if (repeats(ImGuiKey_PageUp)) chosen_ -= kRows;
     chosen_ = std::clamp(chosen_, 0, std::max(0, count - 1));
-    bool runs = pressedKey(ImGuiKey_Enter) || pressedKey(ImGuiKey_KeyPadEnter);
+    // The pointer chooses what is in sight; all else brings it there.
+    const bool follows = appearing || typed || chosen_ != before;
+    bool runs = pressedEnter();
 
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     ImGui::BeginChild("list", {0.0f, theme.px(kRow) * static_cast<float>(kRows)});
@@ -134,10 +135,10 @@ void CommandPalette::drawList(Ui& ui) {
         const bool clicked = ImGui::InvisibleButton("row", {width, height});
         ImGui::PopID();
         ui.probe.markItem(std::string("palette.") + command.tag);
+        if (i == chosen_ && follows) ImGui::SetScrollHereY();
         // The pointer chooses only by moving, else it would hold the row under it.
         const ImVec2 moved = ImGui::GetIO().MouseDelta;
         if (ImGui::IsItemHovered() && (moved.x != 0.0f || moved.y != 0.0f)) chosen_ = i;
-        if (i == chosen_ && chosen_ != before) ImGui::SetScrollHereY();
         if (!ImGui::IsRectVisible(min, {min.x + width, min.y + height})) continue;
 
         ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -159,12 +160,7 @@ void CommandPalette::drawList(Ui& ui) {
             runs = true;
         }
     }
-    if (count == 0) {
-        ImGui::SetCursorPos(theme.px(10, 8));
-        ImGui::PushStyleColor(ImGuiCol_Text, theme.textDim);
-        ImGui::TextUnformatted("Nothing is called that");
-        ImGui::PopStyleColor();
-    }
+    if (count == 0) nothingFoundText(theme);
     ImGui::EndChild();
     ImGui::PopStyleVar();
     if (!runs || count == 0) return;

@@ -17,7 +17,6 @@ class CommandPalette {
     void drawList(Ui& ui);
 
     bool open_ = false;
-    bool appearing_ = false;
     std::array<char, 64> query_{};
     int chosen_ = 0;  // row of the list
 };

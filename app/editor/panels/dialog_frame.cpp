@@ -48,4 +48,8 @@ bool pressedKey(ImGuiKey_ key) {
     return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
 }
 
+bool pressedEnter() {
+    return pressedKey(ImGuiKey_Enter) || pressedKey(ImGuiKey_KeyPadEnter);
+}
+
 }  // namespace voxprite::editor

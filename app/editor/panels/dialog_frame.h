@@ -13,5 +13,6 @@ void endDialog();
 void placeButtons(Ui& ui, ImVec2 button, int count);
 // Went down this frame; ImGui's own names.
 [[nodiscard]] bool pressedKey(ImGuiKey_ key);
+[[nodiscard]] bool pressedEnter();  // or that of the keypad
 
 }  // namespace voxprite::editor

@@ -42,7 +42,7 @@ UnsavedAnswer Dialogs::drawUnsaved(Ui& ui) {
     }
     ui.probe.markItem("unsaved.cancel");
     ImGui::SameLine();
-    if (primaryButton(ui, "Save", button) || pressedKey(ImGuiKey_Enter)) {
+    if (primaryButton(ui, "Save", button) || pressedEnter()) {
         answer = UnsavedAnswer::save;
     }
     ui.probe.markItem("unsaved.save");
@@ -73,7 +73,7 @@ ChangedAnswer Dialogs::drawChanged(Ui& ui) {
     }
     ui.probe.markItem("changed.cancel");
     ImGui::SameLine();
-    if (primaryButton(ui, "Save as...", button) || pressedKey(ImGuiKey_Enter)) {
+    if (primaryButton(ui, "Save as...", button) || pressedEnter()) {
         answer = ChangedAnswer::saveAs;
     }
     ui.probe.markItem("changed.saveAs");
@@ -92,8 +92,7 @@ void Dialogs::drawError(Ui& ui) {
     ImGui::PopStyleColor();
     const ImVec2 button = ui.theme.px(108, 30);
     placeButtons(ui, button, 1);
-    if (primaryButton(ui, "OK", button) || pressedKey(ImGuiKey_Escape) ||
-        pressedKey(ImGuiKey_Enter)) {
+    if (primaryButton(ui, "OK", button) || pressedKey(ImGuiKey_Escape) || pressedEnter()) {
         error_.clear();
         ImGui::CloseCurrentPopup();
     }

@@ -42,6 +42,7 @@ void EntityDialog::open(std::filesystem::path file, std::vector<SvoFile> set, As
     file_ = std::move(file);
     set_ = std::move(set);
     asks_ = asks;
+    moved_ = true;
     for (std::size_t index = 0; index < set_.size(); ++index) {
         Row& row = rows_.emplace_back();
         row.index = index;
@@ -193,12 +194,7 @@ bool EntityDialog::drawList(Ui& ui) {
         }
         drawRow(ui, row, corner, size);
     }
-    if (found_.empty()) {
-        ImGui::SetCursorPos(theme.px(10, 10));
-        ImGui::PushStyleColor(ImGuiCol_Text, theme.textDim);
-        ImGui::TextUnformatted("Nothing is called that");
-        ImGui::PopStyleColor();
-    }
+    if (found_.empty()) nothingFoundText(theme);
     ImGui::EndChild();
     ImGui::PopStyleVar();
     moved_ = false;
@@ -234,8 +230,7 @@ bool EntityDialog::drawFooter(Ui& ui, bool listens) {
     const bool pressed = primaryButton(ui, label.c_str(), button);
     ImGui::EndDisabled();
     ui.probe.markItem("entities.accept");
-    const bool entered = pressedKey(ImGuiKey_Enter) || pressedKey(ImGuiKey_KeyPadEnter);
-    return isOpen() && count > 0 && (pressed || (listens && entered));
+    return isOpen() && count > 0 && (pressed || (listens && pressedEnter()));
 }
 
 std::optional<EntityDialog::Answer> EntityDialog::draw(Ui& ui) {

@@ -65,7 +65,7 @@ class EntityDialog {
     std::string search_;
     std::vector<std::size_t> found_;  // the rows that the search leaves
     std::size_t chosen_ = 0;          // of them
-    bool moved_ = false;              // by keys: it must be in sight
+    bool moved_ = false;              // by no click: it must be brought into sight
 };
 
 }  // namespace voxprite::editor

@@ -83,8 +83,7 @@ ImportDialog::Answer ImportDialog::draw(Ui& ui) {
     if (ImGui::Button("Cancel", button) || pressedKey(ImGuiKey_Escape)) answer = Answer::cancel;
     ui.probe.markItem("import.cancel");
     ImGui::SameLine();
-    if (primaryButton(ui, "Import", button) || (listens && pressedKey(ImGuiKey_Enter)))
-        answer = Answer::import;
+    if (primaryButton(ui, "Import", button) || (listens && pressedEnter())) answer = Answer::import;
     ui.probe.markItem("import.accept");
     if (answer != Answer::none) {
         options_.mesh.voxelsPerUnit = byUnit_ ? voxelsPerUnit_ : 0.0;

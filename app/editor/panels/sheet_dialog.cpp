@@ -18,6 +18,8 @@ namespace {
 
 constexpr float kSheetDialogWidth = 1120.0f, kSheetDialogHeight = 764.0f, kSettingsWidth = 312.0f;
 
+constexpr const char* kBetweenFacts = "  ·  ";
+
 constexpr std::array kUsualDirections{4, 8, 16, 32};
 constexpr std::array kDirectionChoices{Choice{"4", "Front, right, back and left"}, Choice{"8", ""},
                                        Choice{"16", ""}, Choice{"32", ""}};
@@ -237,24 +239,34 @@ std::string SheetDialog::said() const {
     const Sheet& sheet = *maker_.made()->sheet;
     const Image& image = sheet.pictures.front().image;
     return grouped(sheet.sprites.size()) + (sheet.sprites.size() == 1 ? " sprite" : " sprites") +
-           "  ·  " + std::to_string(image.width) + " × " + std::to_string(image.height) +
-           " pixels  ·  cell " + std::to_string(sheet.cellPx.x) + " × " +
-           std::to_string(sheet.cellPx.y) + "  ·  anchor " + std::to_string(sheet.anchorPixel.x) +
-           ", " + std::to_string(sheet.anchorPixel.y);
+           kBetweenFacts + std::to_string(image.width) + " × " + std::to_string(image.height) +
+           " pixels" + kBetweenFacts + "cell " + std::to_string(sheet.cellPx.x) + " × " +
+           std::to_string(sheet.cellPx.y) + kBetweenFacts + "anchor " +
+           std::to_string(sheet.anchorPixel.x) + ", " + std::to_string(sheet.anchorPixel.y);
 }
 
 void SheetDialog::drawFacts(Ui& ui) {
     const auto& made = maker_.made();
-    const std::string text = problem().empty() ? said() : "There is no sheet";
+    const bool several = made && made->sheet && made->sheet->pictures.size() > 1;
+    const float width = several ? ui.theme.px(176) : 0.0f;
+    const std::string all = problem().empty() ? said() : "There is no sheet";
+    // Whole facts, as many as there is room for.
+    const float room = ImGui::GetContentRegionAvail().x - width;
+    std::string text = all;
+    while (ImGui::CalcTextSize(text.c_str()).x > room) {
+        const std::size_t last = text.rfind(kBetweenFacts);
+        if (last == std::string::npos) break;
+        text.resize(last);
+    }
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.textDim);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
     ui.probe.markItem("sheet.facts");
-    if (!made || !made->sheet || made->sheet->pictures.size() < 2) return;
+    if (text != all) tooltip(ui, all.c_str());
+    if (!several) return;
     // Which of the pictures is shown.
     const auto& pictures = made->sheet->pictures;
-    const float width = ui.theme.px(176);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
     ImGui::SetNextItemWidth(width);
     const auto nameOf = [&](int k) {
@@ -290,7 +302,7 @@ void SheetDialog::browse(Ui& ui) {
                             });
 }
 
-bool SheetDialog::drawFooter(Ui& ui) {
+bool SheetDialog::drawFooter(Ui& ui, bool listens) {
     const Theme& theme = ui.theme;
     const ImVec2 button = theme.px(108, 30);
     const float gap = theme.px(8);
@@ -302,6 +314,7 @@ bool SheetDialog::drawFooter(Ui& ui) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * (button.x + gap) - button.y -
                             gap);
     if (ImGui::InputTextWithHint("##file", "File", &file_)) problem_.clear();
+    typesFile_ = ImGui::IsItemActive();
     ui.probe.markItem("sheet.file");
     ImGui::PopStyleVar();
     ImGui::SameLine(0.0f, gap);
@@ -316,7 +329,7 @@ bool SheetDialog::drawFooter(Ui& ui) {
     const bool pressed = primaryButton(ui, "Export", button);
     ImGui::EndDisabled();
     ui.probe.markItem("sheet.export");
-    return pressed || (pressedKey(ImGuiKey_Enter) && wrong_.empty());
+    return pressed || (listens && pressedEnter() && wrong_.empty());
 }
 
 std::optional<SheetExport> SheetDialog::accept(Ui& ui) {
@@ -354,9 +367,11 @@ std::optional<SheetExport> SheetDialog::accept(Ui& ui) {
 }
 
 std::optional<SheetExport> SheetDialog::draw(Ui& ui) {
-    if (!open_ || ui.context.files.isBrowsing()) return std::nullopt;
+    if (!open_) return std::nullopt;
     if (!beginDialog(ui, "##sheet", "Export sprite sheet", kSheetDialogWidth, kSheetDialogHeight))
         return std::nullopt;
+    // Enter ends the typing of a number, but in the name of the file it is meant for the dialog.
+    const bool listens = !ImGui::IsAnyItemActive() || typesFile_;
     follow(ui);
     const Theme& theme = ui.theme;
     const float below = theme.px(30 + 8 + 24 + 8 + 12);
@@ -372,7 +387,7 @@ std::optional<SheetExport> SheetDialog::draw(Ui& ui) {
     drawFacts(ui);
     ImGui::EndGroup();
     std::optional<SheetExport> asked;
-    if (drawFooter(ui)) asked = accept(ui);
+    if (drawFooter(ui, listens)) asked = accept(ui);
     if (asked) close();
     endDialog();
     return asked;

@@ -24,8 +24,7 @@ class SheetDialog {
     [[nodiscard]] std::string said() const;
     // What it says of the file: why the name cannot be used, or what has to be agreed to first.
     [[nodiscard]] const std::string& saysOfFile() const { return problem_; }
-    // Draws it while it is open and nothing lies over it; what shall be written, in the frame in
-    // which that was asked for.
+    // Draws it while it is open; what shall be written, in the frame in which that was asked for.
     [[nodiscard]] std::optional<SheetExport> draw(Ui& ui);
 
   private:
@@ -46,12 +45,13 @@ class SheetDialog {
     void drawPreview(Ui& ui, ImVec2 size);
     [[nodiscard]] std::string problem() const;  // with what is set
     void drawFacts(Ui& ui);
-    [[nodiscard]] bool drawFooter(Ui& ui);
+    [[nodiscard]] bool drawFooter(Ui& ui, bool listens);
     void browse(Ui& ui);
     [[nodiscard]] std::optional<SheetExport> accept(Ui& ui);
 
     bool open_ = false;
     std::string file_;                            // as typed
+    bool typesFile_ = false;                      // the field had the keys in the frame before
     std::vector<std::filesystem::path> replace_;  // may be, the artist said
     std::string problem_;                         // of the file's name
     std::optional<Asked> asked_;

@@ -102,7 +102,7 @@ void Tour::draw(Ui& ui, const Layout& layout) {
              std::round(inside(layout.divider, 0.5f, 0.88f).y)});
         const bool closes = primaryButton(ui, "Start", button);
         ui.probe.markItem("tour.start");
-        if (closes || pressedKey(ImGuiKey_Escape) || pressedKey(ImGuiKey_Enter)) {
+        if (closes || pressedKey(ImGuiKey_Escape) || pressedEnter()) {
             open_ = false;
             ui.settings.window.tourSeen = true;
             ImGui::CloseCurrentPopup();

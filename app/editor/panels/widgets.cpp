@@ -20,6 +20,13 @@ void finishItem(Ui& ui, const char* name) {
     ui.probe.markItem(name);
 }
 
+// All of it, in the colour of text; cut at `end`.
+void drawClipped(ImDrawList& draw, ImVec2 at, const std::string& text, ImVec2 end) {
+    const ImVec4 clip(at.x, at.y, end.x, std::max(end.y, at.y + ImGui::GetFontSize()));
+    draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, ImGui::GetColorU32(ImGuiCol_Text),
+                 text.c_str(), nullptr, 0.0f, &clip);
+}
+
 // A number to drag or, on a double click, to type.
 bool number(Ui& ui, const char* name, double& value, const Range& range, float width) {
     ImGui::PushID(name);
@@ -273,6 +280,42 @@ bool primaryButton(Ui& ui, const char* label, ImVec2 size) {
     const bool pressed = ImGui::Button(label, size);
     ImGui::PopStyleColor(4);
     return pressed;
+}
+
+bool textSelectable(const std::string& text, bool on, ImVec2 size, ImGuiSelectableFlags flags) {
+    const ImVec2 extent = ImGui::CalcTextSize(text.c_str()), corner = ImGui::GetCursorScreenPos();
+    if (size.x == 0.0f) size.x = std::max(extent.x, ImGui::GetContentRegionAvail().x);
+    if (size.y == 0.0f) size.y = extent.y;
+    const bool pressed = ImGui::Selectable("##text", on, flags, size);
+    const float down = (size.y - extent.y) * ImGui::GetStyle().SelectableTextAlign.y;
+    drawClipped(*ImGui::GetWindowDrawList(), corner + ImVec2(0.0f, std::round(down)), text,
+                corner + size);
+    return pressed;
+}
+
+bool textButton(const std::string& text) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos(), air = ImGui::GetStyle().FramePadding;
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str()) + air + air;
+    const bool pressed = ImGui::Button("##text", size);
+    drawClipped(*ImGui::GetWindowDrawList(), corner + air, text, corner + size);
+    return pressed;
+}
+
+bool beginTextCombo(const char* id, const std::string& shown) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos(), air = ImGui::GetStyle().FramePadding;
+    const float height = ImGui::GetFrameHeight();
+    const ImVec2 end = corner + ImVec2(ImGui::CalcItemWidth() - height, height);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const bool open = ImGui::BeginCombo(id, "");
+    drawClipped(draw, corner + air, shown, end);
+    return open;
+}
+
+void nothingFoundText(const Theme& theme) {
+    ImGui::SetCursorPos(theme.px(10, 10));
+    ImGui::PushStyleColor(ImGuiCol_Text, theme.textDim);
+    ImGui::TextUnformatted("Nothing is called that");
+    ImGui::PopStyleColor();
 }
 
 }  // namespace voxprite::editor

@@ -67,5 +67,13 @@ void commandButton(Ui& ui, CommandId id, Lit lit, float sizePx, ImFont* font = n
 void tooltip(Ui& ui, const char* text);
 // A text button in the accent colour, for what a dialog is for.
 [[nodiscard]] bool primaryButton(Ui& ui, const char* label, ImVec2 size);
+// As ImGui's own, but for names that people give: there "##" does not end what is shown. Each under
+// an identity of its own (PushID).
+[[nodiscard]] bool textSelectable(const std::string& text, bool on, ImVec2 size = {0.0f, 0.0f},
+                                  ImGuiSelectableFlags flags = 0);
+[[nodiscard]] bool textButton(const std::string& text);
+[[nodiscard]] bool beginTextCombo(const char* id, const std::string& shown);
+// In place of the rows of a list that a search left empty.
+void nothingFoundText(const Theme& theme);
 
 }  // namespace voxprite::editor

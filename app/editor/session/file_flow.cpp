@@ -84,18 +84,15 @@ void FileFlow::browse(FileBrowser::Request request, Chosen chosen) {
 }
 
 void FileFlow::draw(Ui& ui) {
-    const Answers answers = context_.dialogs.draw(ui);
-    if (answers.unsaved != UnsavedAnswer::none) afterUnsavedQuestion(answers.unsaved);
-    if (answers.changed != ChangedAnswer::none) afterChangedQuestion(answers.changed);
-    if (const auto path = browser_.draw(ui)) {
-        context_.settings.window.folder = path->parent_path();
-        // What was chosen may ask for another file.
-        const Chosen chosen = std::exchange(chosen_, {});
-        chosen(context_, *path);
+    // One modal window at a time, else each frame each would close the other; and a key answers one
+    // of them alone.
+    if (!context_.dialogs.openName().empty()) {
+        const Answers answers = context_.dialogs.draw(ui);
+        if (answers.unsaved != UnsavedAnswer::none) afterUnsavedQuestion(answers.unsaved);
+        if (answers.changed != ChangedAnswer::none) afterChangedQuestion(answers.changed);
+    } else {
+        askForFile(ui);
     }
-    const std::filesystem::path mesh = import_.file();
-    if (import_.draw(ui) == ImportDialog::Answer::import) readNow(mesh, import_.chosen());
-    if (const auto answer = entities_.draw(ui)) afterEntities(*answer);
     static_cast<void>(step_.finish());
     static_cast<void>(job_.finish());
     followDrag();
@@ -103,6 +100,21 @@ void FileFlow::draw(Ui& ui) {
     if (!isWorking() && afterJob_ != Waiting::none) {
         unlessUnsaved(std::exchange(afterJob_, Waiting::none));
     }
+}
+
+void FileFlow::askForFile(Ui& ui) {
+    const bool browses = browser_.isOpen();
+    if (const auto path = browser_.draw(ui)) {
+        context_.settings.window.folder = path->parent_path();
+        // What was chosen may ask for another file.
+        const Chosen chosen = std::exchange(chosen_, {});
+        chosen(context_, *path);
+    } else if (browses && !browser_.isOpen()) {
+        waiting_ = Waiting::none;  // for that file
+    }
+    const std::filesystem::path mesh = import_.file();
+    if (import_.draw(ui) == ImportDialog::Answer::import) readNow(mesh, import_.chosen());
+    if (const auto answer = entities_.draw(ui)) afterEntities(*answer);
 }
 
 void FileFlow::showProgress(Ui& ui) {

@@ -74,6 +74,11 @@ class FileFlow {
     [[nodiscard]] bool blocks() const { return (job_.running() && blocks_) || step_.running(); }
     // Scripts do one thing after another: waits until nothing goes on.
     void finishWork();
+    // A question, or an error to be read, lies over all else.
+    [[nodiscard]] bool asks() const {
+        return !context_.dialogs.openName().empty() || isBrowsing() || isImporting() ||
+               entities_.isOpen();
+    }
     [[nodiscard]] bool isBrowsing() const { return browser_.isOpen(); }
     // What the browser says of the name; empty while it has nothing against it.
     [[nodiscard]] const std::string& browserSays() const { return browser_.says(); }
@@ -110,6 +115,7 @@ class FileFlow {
                const std::function<void()>& afterwards);
     void cancelWork();
     void followDrag();
+    void askForFile(Ui& ui);
     void showProgress(Ui& ui);
     // What the format of a file of this name cannot hold.
     [[nodiscard]] std::vector<std::string> lossesAt(const std::filesystem::path& path) const;
