@@ -1,6 +1,7 @@
 // The window around the views: the first start, finding commands, keys bound anew, panels that
 // fold, cameras; and that all of it is still there at the next start.
 #include <fstream>
+#include <map>
 
 #include "core/io/formats.h"
 #include "tests/app/editor_window.h"
@@ -132,6 +133,51 @@ TEST_F(EditorInterface, KeysPanelsAndViewsStayAsTheyWereSet) {
     ASSERT_NO_FATAL_FAILURE(awaitState("voxels", 961));
     key("F9");
     ASSERT_NO_FATAL_FAILURE(awaitState("voxels", 960));
+}
+
+// Whatever is being made, and however little room there is, nothing in the bar lies over anything
+// else in it or is cut.
+TEST_F(EditorInterface, OptionsLieBesideEachOther) {
+    ASSERT_NO_FATAL_FAILURE(startDisplay({1280, 800}));
+    ASSERT_TRUE(saveDocument(file("box.vox"), documentOf(solidBox({12, 10, 8}, 5)), GameProfile{}));
+    std::filesystem::create_directories(file("config") / "voxprite");
+    struct Room {
+        const char* window;
+        bool all;
+    };
+    for (const Room& room :
+         {Room{R"("side_width": 320)", true}, Room{R"("side_width": 520)", false},
+          Room{R"("scale": 1.75)", false}}) {
+        SCOPED_TRACE(room.window);
+        std::ofstream(file("config") / "voxprite" / "editor.json")
+            << R"({"window": {"tour_seen": true, )" << room.window << "}}";
+        ASSERT_NO_FATAL_FAILURE(startEditor({file("box.vox").string()}));
+        ASSERT_NO_FATAL_FAILURE(awaitState("voxels", 960));
+        key("n");  // a line, and its figures
+        const glm::ivec2 from = centreOf("view.edit");
+        drag(from, from + glm::ivec2(24, 16));
+        ASSERT_NO_FATAL_FAILURE(awaitState("making", true));
+        static_cast<void>(centreOf("options.keep"));
+        const Json items = whole().at("items");
+        EXPECT_TRUE(items.contains("options.figure.2"));
+        EXPECT_EQ(items.contains("options.more"), !room.all);
+        using Box = std::vector<double>;
+        const Box bar = items.at("panel.options");
+        std::map<std::string, Box> options;
+        for (const auto& [item, box] : items.items()) {
+            if (item.starts_with("options.")) options[item] = box;
+        }
+        for (const auto& [a, first] : options) {
+            EXPECT_TRUE(first[0] >= bar[0] && first[1] >= bar[1] && first[2] <= bar[2] &&
+                        first[3] <= bar[3])
+                << a;
+            for (const auto& [b, second] : options) {
+                if (a >= b) continue;
+                EXPECT_TRUE(first[2] <= second[0] || second[2] <= first[0]) << a << " and " << b;
+            }
+        }
+        editor().kill();
+    }
 }
 
 TEST_F(EditorInterface, TheCubeAndTheHabitsOfAnotherProgramTurnTheView) {
