@@ -289,6 +289,8 @@ class CommandQueue {
     // Asks for whatever the keys pressed this frame mean; none while text is being typed or a
     // dialog is in front.
     void askByKeys(const Keymap& keymap);
+    // Those that still wait are no longer wanted.
+    void forget(CommandId id) { std::erase(asked_, id); }
     [[nodiscard]] std::vector<CommandId> take() { return std::exchange(asked_, {}); }
     [[nodiscard]] bool any() const { return !asked_.empty(); }
 

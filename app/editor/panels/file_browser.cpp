@@ -60,24 +60,25 @@ std::string questionAbout(const std::vector<fs::path>& replaced) {
 void FileBrowser::open(Request request) {
     request_ = std::move(request);
     open_ = true;
-    appeared_ = false;
     name_ = request_.name;
+    way_ = 0;
     lossesFor_.reset();
     losses_.clear();
     std::error_code ignored;
     fs::path start = request_.folder;
     if (!fs::is_directory(start, ignored)) start = fs::current_path(ignored);
-    enter(fs::absolute(start, ignored).lexically_normal());
+    enter(fs::absolute(start, ignored));
 }
 
 void FileBrowser::enter(const fs::path& folder) {
-    folder_ = folder;
+    folder_ = folder.lexically_normal();
+    // What ends in a slash would be the folder above itself.
+    if (!folder_.has_filename() && folder_.has_relative_path()) folder_ = folder_.parent_path();
     problem_.clear();
     overwrite_.clear();
-    way_ = 0;
     entries_.clear();
     std::error_code failed;
-    for (fs::directory_iterator at(folder, failed), end; !failed && at != end;
+    for (fs::directory_iterator at(folder_, failed), end; !failed && at != end;
          at.increment(failed)) {
         const std::string name = at->path().filename().string();
         if (name.empty() || name[0] == '.') continue;
@@ -86,7 +87,8 @@ void FileBrowser::enter(const fs::path& folder) {
             entries_.push_back({name, true});
         } else if (std::ranges::find(request_.extensions, lower(at->path().extension().string())) !=
                    request_.extensions.end()) {
-            entries_.push_back({name, false, at->file_size(ignored)});
+            const std::uintmax_t bytes = at->file_size(ignored);
+            entries_.push_back({name, false, ignored ? 0 : bytes});
         }
     }
     if (failed) problem_ = failed.message();
@@ -120,7 +122,7 @@ void FileBrowser::drawPath(Ui& ui) {
         const bool last = part + 1 == parts.rend();
         ImGui::PushStyleColor(ImGuiCol_Text, last ? theme.text : theme.textDim);
         ImGui::PushStyleColor(ImGuiCol_Button, 0);
-        const bool pressed = ImGui::Button(name.c_str());
+        const bool pressed = textButton(name);
         ImGui::PopStyleColor(2);
         ImGui::PopID();
         if (pressed && !last) {
@@ -147,10 +149,9 @@ void FileBrowser::drawList(Ui& ui, float height, bool& accepted) {
             std::string("  ") + (entry.folder ? icon::kFolder : icon::kFile) + "   " + entry.name;
         ImGui::PushStyleColor(ImGuiCol_Text, entry.folder ? theme.textDim : theme.text);
         ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0f, 0.5f});
-        const bool pressed = ImGui::Selectable(
-            label.c_str(), !entry.folder && entry.name == name_,
-            ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups,
-            {0, theme.px(26)});
+        const bool pressed = textSelectable(
+            label, !entry.folder && entry.name == name_, {0, theme.px(26)},
+            ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups);
         ImGui::PopStyleVar();
         ImGui::PopStyleColor();
         ui.probe.markItem("browser.entry." + entry.name);
@@ -198,7 +199,7 @@ std::optional<fs::path> FileBrowser::accept() {
     std::error_code ignored;
     if (fs::is_directory(path, ignored)) {
         name_.clear();
-        enter(path.lexically_normal());
+        enter(path);
         return std::nullopt;
     }
     if (!request_.saving) {
@@ -321,8 +322,7 @@ void FileBrowser::drawFooter(Ui& ui, bool& accepted) {
     const float beside =
         2 * (button.x + theme.px(8)) + (formats > 0.0f ? formats + theme.px(8) : 0.0f);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - beside);
-    if (!appeared_) ImGui::SetKeyboardFocusHere();
-    appeared_ = true;
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     if (ImGui::InputTextWithHint(
             "##name", "File name", &name_,
             ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll)) {

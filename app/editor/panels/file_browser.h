@@ -70,7 +70,6 @@ class FileBrowser {
 
     Request request_;
     bool open_ = false;
-    bool appeared_ = false;
     std::filesystem::path folder_;
     std::vector<Entry> entries_;
     std::string name_;

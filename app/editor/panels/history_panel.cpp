@@ -32,14 +32,19 @@ void drawCount(Ui& ui, std::uint64_t voxels) {
 
 }  // namespace
 
+void askForStep(CommandQueue& commands, std::size_t position, std::size_t wanted) {
+    // A long way goes on over many frames: what is left of one gives way to the next.
+    commands.forget(CommandId::undo);
+    commands.forget(CommandId::redo);
+    for (std::size_t at = position; at > wanted; --at) commands.ask(CommandId::undo);
+    for (std::size_t at = position; at < wanted; ++at) commands.ask(CommandId::redo);
+}
+
 void drawHistory(Ui& ui) {
     const History& history = ui.session.history();
     const auto& steps = history.steps();
     const std::size_t position = history.position();
-    const auto goTo = [&](std::size_t wanted) {
-        for (std::size_t at = position; at > wanted; --at) ui.commands.ask(CommandId::undo);
-        for (std::size_t at = position; at < wanted; ++at) ui.commands.ask(CommandId::redo);
-    };
+    const auto goTo = [&](std::size_t wanted) { askForStep(ui.commands, position, wanted); };
     const std::string held =
         byteText(history.bytes()) + " held, of at most " + byteText(history.memoryLimitBytes());
     ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.textDim);
@@ -54,7 +59,8 @@ void drawHistory(Ui& ui) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0f, 0.0f});
     ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0f, 0.5f});
     const ImVec2 row(0.0f, ui.theme.px(22));
-    if (ImGui::Selectable("  As opened", position == 0, 0, row)) goTo(0);
+    // Not "as opened": the oldest steps may be gone.
+    if (textSelectable("  Before these steps", position == 0, row)) goTo(0);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(steps.size()));
     while (clipper.Step()) {
@@ -64,7 +70,7 @@ void drawHistory(Ui& ui) {
             if (undone) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.textFaint);
             ImGui::PushID(i);
             const std::string label = "  " + steps[index].label;
-            if (ImGui::Selectable(label.c_str(), index + 1 == position, 0, row)) goTo(index + 1);
+            if (textSelectable(label, index + 1 == position, row)) goTo(index + 1);
             drawCount(ui, voxelsOf(steps[index]));
             ImGui::PopID();
             if (undone) ImGui::PopStyleColor();

@@ -33,7 +33,7 @@ std::optional<std::filesystem::path> recentFiles(Ui& ui) {
         return chosen;
     for (const std::filesystem::path& file : recent) {
         ImGui::PushID(file.c_str());
-        if (ImGui::MenuItem(file.filename().c_str())) chosen = file;
+        if (textSelectable(file.filename().string(), false)) chosen = file;
         tooltip(ui, file.c_str());
         ImGui::PopID();
     }

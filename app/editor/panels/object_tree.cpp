@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "app/editor/commands/command_context.h"
@@ -56,19 +57,6 @@ std::vector<Row> rowsOf(const Document& document) {
 std::string displayName(const SceneNode& node, int index) {
     if (!node.name.empty()) return node.name;
     return (node.isGroup() ? "Group " : "Object ") + std::to_string(index);
-}
-
-// How many objects show each model: more than one share it.
-std::vector<int> usersOfModels(const Document& document) {
-    std::vector<int> users(document.models.size(), 0);
-    for (const SceneNode& node : document.nodes) {
-        int last = -1;
-        for (const ModelKey& key : node.models) {
-            if (key.model != last) ++users[static_cast<std::size_t>(key.model)];
-            last = key.model;
-        }
-    }
-    return users;
 }
 
 bool isHiddenAbove(const Document& document, int node) {
@@ -263,6 +251,19 @@ void drawRow(Ui& ui, const Row& place, const std::vector<int>& users) {
 }
 
 }  // namespace
+
+std::vector<int> usersOfModels(const Document& document) {
+    std::vector<int> users(document.models.size(), 0);
+    std::vector<const SceneNode*> lastUser(document.models.size(), nullptr);
+    for (const SceneNode& node : document.nodes) {
+        for (const ModelKey& key : node.models) {
+            // It may show a model in several of its frames.
+            const auto model = static_cast<std::size_t>(key.model);
+            if (std::exchange(lastUser[model], &node) != &node) ++users[model];
+        }
+    }
+    return users;
+}
 
 ListRow beginRow(Ui& ui, const std::string& probe, bool chosen) {
     const Theme& theme = ui.theme;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/editor/panels/ui.h"
 
@@ -10,6 +11,9 @@ namespace voxprite::editor {
 // Both draw rows without space between them, into a child of their own.
 void drawObjectTree(Ui& ui);
 void drawSocketList(Ui& ui);
+
+// How many objects show each model: more than one share it.
+[[nodiscard]] std::vector<int> usersOfModels(const Document& document);
 
 // A row of a list: what is drawn behind it, where its parts go.
 struct ListRow {

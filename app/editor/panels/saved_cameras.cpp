@@ -13,10 +13,17 @@ constexpr float kListHeight = 196.0f;
 
 }  // namespace
 
+std::string freeViewName(std::span<const SavedCamera> kept) {
+    std::size_t number = kept.size() + 1;
+    const auto name = [&] { return "View " + std::to_string(number); };
+    while (std::ranges::find(kept, name(), &SavedCamera::name) != kept.end()) ++number;
+    return name();
+}
+
 void SavedCameras::keep(Ui& ui, const OrbitCamera& now) {
     auto& cameras = ui.settings.cameras;
     std::string name(name_.data());
-    if (name.empty()) name = "View " + std::to_string(cameras.size() + 1);
+    if (name.empty()) name = freeViewName(cameras);
     const SavedCamera kept = savedFrom(now, sphereInEditView(ui.session), name);
     // A name stands for one view: the old one gives way.
     const auto same = std::ranges::find(cameras, name, &SavedCamera::name);
@@ -44,7 +51,7 @@ std::optional<SavedCamera> SavedCameras::draw(Ui& ui, const OrbitCamera& now) {
         ImGui::PushID(static_cast<int>(i));
         const float square = theme.px(26), width = ImGui::GetContentRegionAvail().x;
         const std::string label = std::string(icon::kCamera) + "  " + cameras[i].name;
-        if (ImGui::Selectable(label.c_str(), false, 0, {width - square - theme.px(8), square})) {
+        if (textSelectable(label, false, {width - square - theme.px(8), square})) {
             chosen = cameras[i];
         }
         ui.probe.markItem("cameras." + cameras[i].name);

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <optional>
+#include <span>
+#include <string>
 
 #include "app/editor/panels/ui.h"
 #include "app/editor/views/camera_bookmarks.h"
@@ -22,5 +24,8 @@ class SavedCameras {
     bool open_ = false;
     std::array<char, 48> name_{};
 };
+
+// "View 2": of those that stand for no view yet.
+[[nodiscard]] std::string freeViewName(std::span<const SavedCamera> kept);
 
 }  // namespace voxprite::editor

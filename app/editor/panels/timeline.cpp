@@ -67,12 +67,12 @@ void clipChoice(Ui& ui) {
     const char* preview =
         chosen ? clipNameOf(document.clips[static_cast<std::size_t>(*chosen)]) : "All frames";
     ImGui::SetNextItemWidth(ui.theme.px(112));
-    if (ImGui::BeginCombo("##clip", preview)) {
+    if (beginTextCombo("##clip", preview)) {
         if (ImGui::Selectable("All frames", !chosen)) playback.chooseClip(std::nullopt);
         for (int i = 0; i < static_cast<int>(document.clips.size()); ++i) {
             ImGui::PushID(i);
-            if (ImGui::Selectable(clipNameOf(document.clips[static_cast<std::size_t>(i)]),
-                                  chosen == i)) {
+            if (textSelectable(clipNameOf(document.clips[static_cast<std::size_t>(i)]),
+                               chosen == i)) {
                 playback.chooseClip(i);
             }
             ImGui::PopID();

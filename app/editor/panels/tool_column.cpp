@@ -43,7 +43,7 @@ void divider(Ui& ui) {
 
 void colourInHand(Ui& ui) {
     const Theme& theme = ui.theme;
-    const Rgba8 colour = ui.session.document().palette.colours[ui.settings.tool.colour];
+    const Rgba8 colour = ui.session.shownPalette().colours[ui.settings.tool.colour];
     const ImVec2 min = ImGui::GetCursorScreenPos();
     const ImVec2 corner(min.x + theme.px(6), min.y + theme.px(8));
     const ImVec2 opposite(min.x + ImGui::GetContentRegionAvail().x - theme.px(6),

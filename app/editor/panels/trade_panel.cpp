@@ -237,7 +237,7 @@ void drawSaved(Ui& ui) {
         ImGui::PushID(static_cast<int>(k));
         const float width = ImGui::GetContentRegionAvail().x - square;
         const bool isB = settings.b == saved.setting;
-        if (ImGui::Selectable(saved.name.c_str(), isB, 0, {width, square})) {
+        if (textSelectable(saved.name, isB, {width, square})) {
             settings.b = saved.setting;
             if (settings.side == SideShown::a) settings.side = SideShown::b;
         }
