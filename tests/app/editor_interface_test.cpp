@@ -162,10 +162,10 @@ TEST_F(EditorInterface, OptionsLieBesideEachOther) {
         EXPECT_TRUE(items.contains("options.figure.2"));
         EXPECT_EQ(items.contains("options.more"), !room.all);
         using Box = std::vector<double>;
-        const Box bar = items.at("panel.options");
+        const Box bar = items.at("panel.options").get<Box>();
         std::map<std::string, Box> options;
         for (const auto& [item, box] : items.items()) {
-            if (item.starts_with("options.")) options[item] = box;
+            if (item.starts_with("options.")) options[item] = box.get<Box>();
         }
         for (const auto& [a, first] : options) {
             EXPECT_TRUE(first[0] >= bar[0] && first[1] >= bar[1] && first[2] <= bar[2] &&
