@@ -9,6 +9,7 @@
 #include "app/editor/panels/layout.h"
 #include "app/editor/views/gizmo.h"
 #include "app/editor/views/orbit_camera.h"
+#include "app/editor/views/view_canvas.h"
 #include "tests/support/random.h"
 
 namespace voxprite::editor {
@@ -253,6 +254,68 @@ TEST_F(EditorGizmo, CornersScaleAboutTheAnchor) {
     drag(corner, anchor + (corner - anchor) * 1.5);
     EXPECT_NEAR(target.entity.scale, 1.5, 1e-6);
     EXPECT_EQ(target.entity.positionMetres, glm::dvec3(1.0, 0.0, -2.0));
+}
+
+// A key changes the handles under the hand that drags one, to a kind that has fewer.
+TEST_F(EditorGizmo, AnotherKindEndsTheDrag) {
+    target.kind = GizmoKind::scale;
+    const Entity before = target.entity;
+    const auto corner = camera.project(proxyCorners(target.placed, 4.0)[7]).screenPx;
+    for (const GizmoKind other : {GizmoKind::rotate, GizmoKind::move, GizmoKind::none}) {
+        target.kind = GizmoKind::scale;
+        step(corner, false, false, false);
+        step(corner, true, true, false);
+        ASSERT_TRUE(gizmo.dragging());
+        target.kind = other;
+        for (int i = 1; i <= 3; ++i) step(corner + glm::dvec2(30.0 * i, 5.0), false, true, false);
+        EXPECT_FALSE(gizmo.dragging());
+        EXPECT_EQ(target.entity, before);
+        step(corner, false, false, false);
+    }
+}
+
+TEST_F(EditorGizmo, AHandThatLetGoUnseenDragsNoMore) {
+    const Entity before = target.entity;
+    const glm::dvec2 arrow = screen({0.8, 0, 0});
+    step(arrow, false, false, false);
+    step(arrow, true, true, false);
+    ASSERT_TRUE(gizmo.dragging());
+    // The model was empty for a while: nobody asked the handles.
+    step(arrow + glm::dvec2(60, 20), false, false, false);
+    EXPECT_FALSE(gizmo.dragging());
+    EXPECT_EQ(target.entity, before);
+}
+
+TEST(ViewMotion, TheWheelDoesWhatTheHabitsSay) {
+    ViewInput input;
+    input.wheel = 2.0;
+    input.wheelAcross = -1.0;
+    EXPECT_EQ(motionOf(input).wheelNotches, 2.0);
+    EXPECT_EQ(motionOf(input).orbitPx, glm::dvec2(0.0));
+    input.invertWheel = true;
+    EXPECT_EQ(motionOf(input).wheelNotches, -2.0);
+    input.roll = CameraMove::orbit;
+    EXPECT_EQ(motionOf(input).wheelNotches, 0.0);
+    EXPECT_GT(motionOf(input).orbitPx.y, 0.0);
+    EXPECT_LT(motionOf(input).orbitPx.x, 0.0);
+    input.roll = CameraMove::pan;
+    EXPECT_EQ(motionOf(input).orbitPx, glm::dvec2(0.0));
+    EXPECT_GT(motionOf(input).panPx.y, 0.0);
+}
+
+TEST(ViewMotion, ADragMovesWhatItWasBegunFor) {
+    ViewInput input;
+    input.movedPx = {10.0, -30.0};
+    input.drag = CameraMove::zoom;
+    EXPECT_EQ(motionOf(input).dragNotches, 1.0);  // upwards is nearer
+    input.drag = CameraMove::pan;
+    EXPECT_EQ(motionOf(input).dragNotches, 0.0);
+    EXPECT_EQ(motionOf(input).panPx, input.movedPx);
+    OrbitCamera camera;
+    camera.yawDegrees = 190.0;  // that nothing was moved must not even show here
+    const OrbitCamera before = camera;
+    ViewCanvas::navigate(ViewInput{}, camera);
+    EXPECT_EQ(camera, before);
 }
 
 }  // namespace

@@ -194,6 +194,8 @@ std::optional<Entity> Gizmo::update(const GizmoTarget& target, const Camera& cam
     const glm::dvec3 origin = target.placed.anchorMetres;
     const double depth = camera.project(origin).depthMetres;
     const double scale = static_cast<double>(uiScale);
+    // A key may change the kind under the hand, and a hand may let go while no handle is shown.
+    if (drag_ && (drag_->kind != target.kind || !(input.held || input.released))) drag_.reset();
     if (!drag_) {
         hovered_ = -1;
         if (depth <= camera.nearMetres) return std::nullopt;
@@ -203,7 +205,8 @@ std::optional<Entity> Gizmo::update(const GizmoTarget& target, const Camera& cam
                 handleUnder(target, camera, input.pointerPx, armMetres_, kGizmoReachPx * scale);
         }
         if (!input.pressed || hovered_ < 0) return std::nullopt;
-        Drag drag{hovered_, input.pointerPx, target.entity, target.placed, 0.0, origin};
+        Drag drag{target.kind,   hovered_, input.pointerPx, target.entity,
+                  target.placed, 0.0,      origin};
         if (target.kind == GizmoKind::rotate) {
             drag.startAngle =
                 angleUnder(camera, drag.pressPx, origin, turnAxis(target.entity, drag.handle));

@@ -34,6 +34,7 @@ class Gizmo {
 
   private:
     struct Drag {
+        GizmoKind kind = GizmoKind::none;  // whose handle it is
         int handle = 0;
         glm::dvec2 pressPx{0.0};
         Entity before;

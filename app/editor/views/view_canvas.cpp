@@ -21,6 +21,22 @@ constexpr double kFlickPx = 4.0;
 
 }  // namespace
 
+ViewMotion motionOf(const ViewInput& input) {
+    ViewMotion motion;
+    const auto move = [&](CameraMove kind, glm::dvec2 px) {
+        if (kind == CameraMove::orbit) motion.orbitPx += px;
+        if (kind == CameraMove::pan) motion.panPx += px;
+    };
+    move(input.drag, input.movedPx);
+    if (input.drag == CameraMove::zoom) motion.dragNotches = -input.movedPx.y / kPxPerNotch;
+    if (input.roll == CameraMove::zoom) {
+        motion.wheelNotches = input.invertWheel ? -input.wheel : input.wheel;
+    } else {
+        move(input.roll, glm::dvec2(input.wheelAcross, input.wheel) * kPxPerNotch);
+    }
+    return motion;
+}
+
 Frame& ViewCanvas::frame() {
     if (!frame_) frame_ = std::make_unique<Frame>(sizePx_);
     frame_->resize(sizePx_);
@@ -92,23 +108,15 @@ ViewInput ViewCanvas::begin(Ui& ui, const char* name, ImVec2 min, ImVec2 size) {
 }
 
 void ViewCanvas::navigate(const ViewInput& input, OrbitCamera& camera) {
-    const auto move = [&](CameraMove kind, glm::dvec2 px) {
-        if (kind == CameraMove::orbit) camera.orbit(px);
-        if (kind == CameraMove::pan) camera.pan(px, input.sizePx);
+    const ViewMotion motion = motionOf(input);
+    const auto zoom = [&](double notches, glm::dvec2 about) {
+        if (notches != 0.0) camera.zoom(notches, about, input.sizePx);
     };
-    if (input.drag == CameraMove::zoom) {
-        const glm::dvec2 middle = glm::dvec2(input.sizePx) * 0.5;
-        camera.zoom(-input.movedPx.y / kPxPerNotch, middle, input.sizePx);
-    } else {
-        move(input.drag, input.movedPx);
-    }
-    if (input.wheel == 0.0 && input.wheelAcross == 0.0) return;
-    if (input.roll == CameraMove::zoom) {
-        const double notches = input.invertWheel ? -input.wheel : input.wheel;
-        camera.zoom(notches, input.pointerPx, input.sizePx);
-    } else {
-        move(input.roll, glm::dvec2(input.wheelAcross, input.wheel) * kPxPerNotch);
-    }
+    // A camera that is not moved stays what it is, bit by bit: else the view would be drawn anew.
+    zoom(motion.dragNotches, glm::dvec2(input.sizePx) * 0.5);
+    if (motion.orbitPx != glm::dvec2(0.0)) camera.orbit(motion.orbitPx);
+    if (motion.panPx != glm::dvec2(0.0)) camera.pan(motion.panPx, input.sizePx);
+    zoom(motion.wheelNotches, input.pointerPx);
 }
 
 ImVec2 ViewCanvas::cubeMiddle(const Theme& theme) const {

@@ -32,6 +32,16 @@ struct ViewInput {
     bool invertWheel = false;
 };
 
+// What of that moves the camera.
+struct ViewMotion {
+    glm::dvec2 orbitPx{0.0};
+    glm::dvec2 panPx{0.0};
+    // Nearer, as notches of a wheel: about the view's middle, and about the pointer.
+    double dragNotches = 0.0;
+    double wheelNotches = 0.0;
+};
+[[nodiscard]] ViewMotion motionOf(const ViewInput& input);
+
 class ViewCanvas {
   public:
     // Shows the picture that the last render() made; `overlay` then draws over it.
