@@ -143,6 +143,51 @@ TEST_F(EditorRepresentations, NothingIsBuiltOfAModelThatHasJustChanged) {
     EXPECT_NE(library_->levelsOf(&*edited_), nullptr);
 }
 
+TEST_F(EditorRepresentations, AnEmptyModelHasNothingToWaitFor) {
+    finish(false);
+    ASSERT_TRUE(session_.startNew());
+    follow();
+    EXPECT_FALSE(library_->busy());
+    EXPECT_EQ(library_->levelsOf(&*edited_), nullptr);
+}
+
+// Frames that are stepped through and played have levels each, and the model's figures for all.
+TEST_F(EditorRepresentations, LevelsComeWhileAnAnimationPlaysAndFiguresStay) {
+    const Document animation = test::animationOf({test::figure(), test::asymmetric()});
+    ASSERT_TRUE(saveDocument(folder_ / "moves.voxprite", animation, {}));
+    ASSERT_TRUE(session_.open(folder_ / "moves.voxprite"));
+    const auto show = [&](int frame) {
+        ASSERT_TRUE(session_.setFrame(frame));
+        edited_->upload(session_.octree().view(session_.bounds()));
+    };
+    show(0);
+    finish();
+    ASSERT_NE(library_->levelsOf(&*edited_), nullptr);
+    const std::size_t figures = library_->tableOf(&*edited_).size();
+    EXPECT_GT(figures, 0u);
+    const auto step = [&](double seconds) {
+        now_ += seconds;
+        library_->follow(scene_->levelSources(session_, *edited_), settings_.representations,
+                         session_.profile(), false, now_);
+    };
+    show(1);
+    step(0.01);
+    EXPECT_EQ(library_->levelsOf(&*edited_), nullptr);
+    EXPECT_EQ(library_->tableOf(&*edited_).size(), figures);
+    // It goes on before anything comes to rest.
+    for (int frame = 2; library_->busy() && frame < 20'000; ++frame) {
+        show(frame % 2);
+        step(0.1);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    for (const int frame : {0, 1}) {
+        show(frame);
+        step(0.1);
+        EXPECT_NE(library_->levelsOf(&*edited_), nullptr) << frame;
+        EXPECT_EQ(library_->tableOf(&*edited_).size(), figures);
+    }
+}
+
 // What the budget promises, seen in the pictures of a whole crowd.
 TEST_F(EditorRepresentations, AnAutomaticSceneStaysWithinTheBudget) {
     static_cast<void>(made());
@@ -255,6 +300,24 @@ TEST_F(EditorRepresentations, TheTintTellsWhatWasChosen) {
     EXPECT_EQ(session_.history().position(), 0u);
 }
 
+// A palette that is tinted may be gone by the next picture.
+TEST_F(EditorRepresentations, TheTintForgetsModelsThatWent) {
+    ASSERT_TRUE(saveDocument(folder_ / "ball.vox", test::documentOf(test::shellSphere(21)), {}));
+    settings_.representations.rule = DrawRule::exact;
+    settings_.representations.tint = true;
+    const auto palettes = [&] {
+        Scene scene = made();
+        static_cast<void>(choose(scene, from(40.0)));
+        std::set<const Palette*> all;
+        for (const SceneEntity& entity : scene.entities) all.insert(entity.palette);
+        return all.size();
+    };
+    settings_.extras = {{folder_ / "ball.vox", true}};
+    EXPECT_EQ(palettes(), 2u);
+    settings_.extras.clear();
+    EXPECT_EQ(palettes(), 1u);
+}
+
 TEST(TintedPalette, MixesColoursAndLeavesIndicesAlone) {
     const Palette palette = Palette::standard();
     const Palette red = tinted(palette, Rgba8(255, 0, 0, 255));
@@ -298,6 +361,12 @@ TEST_F(EditorRepresentations, CellsShowEachWithItsOwnError) {
     const RepresentationChoice cheapest =
         voxprite::choose(library_->tableOf(&*edited_), 20.0, {.errorBudget = 1.0}, std::nullopt);
     EXPECT_EQ(cells.chosen(), static_cast<std::size_t>(cheapest.kind));
+    // Of a document that is gone nothing is shown, nor waited for.
+    EXPECT_TRUE(cells.pending());
+    cells.clear();
+    EXPECT_FALSE(cells.pending());
+    EXPECT_EQ(cells.errorOf(0), std::nullopt);
+    EXPECT_TRUE(render());
 }
 
 TEST(RepresentationFlight, GoesFromNearToFarAndBack) {

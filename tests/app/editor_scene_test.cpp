@@ -255,6 +255,17 @@ TEST(SigmaComparison, UsingAValueAndTakingItBackMovesTheMark) {
     EXPECT_EQ(comparison.sigmas, (std::array{1.0, 2.0, 3.0, 5.5}));
 }
 
+// Two pictures are there when four are asked for.
+TEST(SigmaComparison, TheCellInForceIsOneThatIsThere) {
+    SigmaComparison comparison;
+    comparison.open(4, 4.0);
+    ASSERT_EQ(comparison.inForce, 3);
+    EXPECT_EQ(comparison.inForceAmong(4), 3U);
+    EXPECT_EQ(comparison.inForceAmong(2), 1U);
+    EXPECT_EQ(comparison.inForceAmong(1), 0U);
+    EXPECT_EQ(comparison.inForceAmong(0), 0U);
+}
+
 TEST(SigmaComparison, CellsTileTheView) {
     for (const glm::ivec2 view : {glm::ivec2(455, 742), glm::ivec2(801, 300), glm::ivec2(3, 2)}) {
         for (const int cells : {0, 2, 4}) {

@@ -202,6 +202,26 @@ TEST(EditorSession, RevisionsTellModelChangesFromOthers) {
     EXPECT_GT(session.modelRevision(), model);
 }
 
+// What is made of all frames stays while they are stepped through.
+TEST(EditorSession, ContentsAreTheSameWhateverIsShownOfThem) {
+    const test::TemporaryFolder folder;
+    Document document = test::animationOf({test::solidBox({2, 2, 2}), test::solidBox({3, 1, 1})});
+    document.palette.variants.push_back({"red", {{1, Rgba8(200, 0, 0, 255)}}});
+    Session session;
+    const std::uint64_t before = session.contentsRevision();
+    open(session, document, folder);
+    const std::uint64_t opened = session.contentsRevision(), model = session.modelRevision();
+    EXPECT_GT(opened, before);
+    ASSERT_TRUE(session.setFrame(1));
+    session.showVariant(0);
+    EXPECT_EQ(session.contentsRevision(), opened);
+    EXPECT_GT(session.modelRevision(), model);
+    const std::vector<glm::ivec3> where{{5, 5, 5}};
+    ASSERT_TRUE(session.perform(
+        makeAction("a", patchVoxels(session.document(), 0, where, EditMode::attach, 6))));
+    EXPECT_GT(session.contentsRevision(), opened);
+}
+
 TEST(EditorSession, SavesNativelyAndKnowsWhatIsUnsaved) {
     const test::TemporaryFolder folder;
     Session session;

@@ -158,6 +158,23 @@ TEST_F(EditorSpriteScene, AFileThatCannotBeReadIsToldOnceAndOnlyWhenItIsWanted) 
     EXPECT_EQ(octrees(), std::set<const GpuOctree*>{&*edited_});
 }
 
+TEST_F(EditorSpriteScene, OthersInTheSamePlacesAreAnotherArrangement) {
+    settings_.copies.pattern = CopyPattern::crowd;
+    static_cast<void>(made());
+    const std::uint64_t first = scene_->arrangement();
+    static_cast<void>(made());
+    EXPECT_EQ(scene_->arrangement(), first);
+    ++settings_.copies.seed;
+    static_cast<void>(made());
+    EXPECT_GT(scene_->arrangement(), first);
+    settings_.copies.pattern = CopyPattern::march;
+    static_cast<void>(made());
+    const std::uint64_t march = scene_->arrangement();
+    scene_->advance(0.25, session_, settings_);
+    static_cast<void>(made());
+    EXPECT_EQ(scene_->arrangement(), march);
+}
+
 TEST_F(EditorSpriteScene, TheMarchGoesOnAtItsPace) {
     settings_.copies.pattern = CopyPattern::march;
     const Scene before = made();

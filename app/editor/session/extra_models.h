@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,7 +36,7 @@ class ExtraModels {
     // cannot be read is told once, and tried again only after it has been chosen anew. Needs the
     // window's GL context.
     [[nodiscard]] std::vector<Error> follow(const std::vector<ExtraModelChoice>& chosen);
-    // Null while the choice is not loaded. Valid until the next follow().
+    // Null while the choice is not loaded. Valid until a follow() that does not choose it.
     [[nodiscard]] const ExtraModel* find(const ExtraModelChoice& choice) const;
     [[nodiscard]] bool failed(const ExtraModelChoice& choice) const;
     // Rises with every model that came or went.
@@ -44,7 +45,7 @@ class ExtraModels {
     [[nodiscard]] bool animated() const;
 
   private:
-    std::deque<ExtraModel> models_;
+    std::list<ExtraModel> models_;
     std::vector<ExtraModelChoice> failed_;
     std::uint64_t revision_ = 0;
 };

@@ -93,7 +93,10 @@ void Session::arrive(const Changed& changed) {
 Status Session::follow(const Changed& changed) {
     if (!changed.any()) return {};
     ++revision_;
-    if (changed.scene || changed.palette || !changed.voxels.empty()) ++modelRevision_;
+    if (changed.scene || changed.palette || !changed.voxels.empty()) {
+        ++modelRevision_;
+        ++contentsRevision_;
+    }
     if (changed.palette) followPalette();
     for (const Changed::Voxels& voxels : changed.voxels) reviseVoxels(voxels.model);
     if (changed.scene) return rebuild();

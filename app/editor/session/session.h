@@ -61,6 +61,8 @@ class Session {
     // palette and scene.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
     [[nodiscard]] std::uint64_t modelRevision() const { return modelRevision_; }
+    // The same, but for which frame and which variant of the palette are shown.
+    [[nodiscard]] std::uint64_t contentsRevision() const { return contentsRevision_; }
     // Changes with every change of one model's voxels, and is never the same for two models.
     [[nodiscard]] std::uint64_t voxelRevision(int model) const {
         return voxelRevisions_[static_cast<std::size_t>(model)];
@@ -256,6 +258,7 @@ class Session {
     Palette shownPalette_;
     std::uint64_t revision_ = 1;
     std::uint64_t modelRevision_ = 1;
+    std::uint64_t contentsRevision_ = 1;
     std::vector<std::uint64_t> voxelRevisions_;
     std::uint64_t lastVoxelRevision_ = 0;
     std::uint64_t lastMergeKey_ = 0;

@@ -41,6 +41,7 @@ void Session::adopt(Document document, Derived derived) {
     selection_.forget();
     install(std::move(derived));
     chooseActiveNode();
+    ++contentsRevision_;
     showVariant(std::nullopt);
     history_.clear();
     history_.markSaved();

@@ -101,6 +101,7 @@ void Session::commit(Prepared prepared) {
     }
     ++revision_;
     ++modelRevision_;
+    ++contentsRevision_;
     for (const Changed::Voxels& voxels : changed.voxels) reviseVoxels(voxels.model);
     frame_ = std::clamp(frame_, 0, prepared.derived.frames - 1);
     if (changed.palette) followPalette();

@@ -11,6 +11,8 @@ namespace {
 constexpr double kRestSeconds = 0.4;
 // Measuring takes this much of a frame, and whatever its last step takes.
 constexpr double kSliceSeconds = 0.008;
+// Of more frames of a model no levels are kept.
+constexpr int kMostFrames = 64;
 // The editor has an artist waiting: fewer views than the command line looks from.
 const MeasuringPlan kPlan{.sizesPx = {4, 8, 16, 32, 64, 128}, .views = 4, .seed = 1};
 
@@ -49,13 +51,19 @@ const RepresentationTable& LevelLibrary::tableOf(const GpuOctree* octree) const 
 
 void LevelLibrary::follow(std::vector<LevelSource> sources, const RepresentationSettings& settings,
                           const GameProfile& profile, bool measured, double now) {
-    const auto sameModels = [](const LevelSource& a, const LevelSource& b) {
+    const auto sameFrames = [](const LevelSource& a, const LevelSource& b) {
         return a.model == b.model && a.frame == b.frame && a.octree == b.octree;
     };
-    if (!std::ranges::equal(sources, sources_, sameModels)) {
+    // An animation that plays changes no model.
+    if (!std::ranges::equal(sources, sources_, {}, &LevelSource::model, &LevelSource::model)) {
         changedAt_ = now;
-        ++revision_;
     }
+    if (!std::ranges::equal(sources, sources_, sameFrames)) ++revision_;
+    const bool refilled = std::ranges::any_of(sources, [&](const LevelSource& source) {
+        const LevelSource* before = sourceOf(source.octree);
+        return before != nullptr && !sameFrames(*before, source);
+    });
+    if (refilled) refilledAt_ = now;
     sources_ = std::move(sources);
     still_ = now - changedAt_ >= kRestSeconds;
     measured_ = measured;
@@ -72,14 +80,15 @@ void LevelLibrary::follow(std::vector<LevelSource> sources, const Representation
         meter_.reset();
         ++revision_;
     }
-    // What is measured has to stay where it is.
-    if (meter_ && (!measured_ || sourceOf(measuredSource_.octree) == nullptr ||
-                   !sameModels(*sourceOf(measuredSource_.octree), measuredSource_))) {
+    // What is measured has to stay what it is. The octree of a frame that is not followed now does.
+    const LevelSource* measuredNow = sourceOf(measuredSource_.octree);
+    if (meter_ && (!measured_ || gone(measuredSource_) ||
+                   (measuredNow != nullptr && !sameFrames(*measuredNow, measuredSource_)))) {
         meter_.reset();
     }
     if (job_.finish()) ++revision_;
     if (still_) buildNext();
-    if (still_ && measured_) measureNext();
+    if (still_ && measured_ && now - refilledAt_ >= kRestSeconds) measureNext();
 }
 
 void LevelLibrary::clear() {
@@ -112,10 +121,21 @@ void LevelLibrary::buildNext() {
                            levels.model = model;
                            levels.frame = frame;
                            if (*built) levels.built.emplace(**built);
+                           forgetOldest(model);
                        };
                    });
         return;
     }
+}
+
+void LevelLibrary::forgetOldest(std::uint64_t model) {
+    if (std::ranges::count(levels_, model, &Levels::model) <= kMostFrames) return;
+    const auto oldest = std::ranges::find_if(levels_, [&](const Levels& levels) {
+        const bool measured =
+            meter_ && measuredSource_.model == model && measuredSource_.frame == levels.frame;
+        return levels.model == model && !measured;
+    });
+    levels_.erase(oldest);
 }
 
 void LevelLibrary::measureNext() {

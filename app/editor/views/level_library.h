@@ -24,6 +24,8 @@ namespace voxprite::editor {
 struct LevelSource {
     std::uint64_t model = 0;  // never the same for two models, or two states of one
     int frame = 0;
+    // There as long as any frame of the model is followed. One octree may hold one frame after the
+    // other.
     const GpuOctree* octree = nullptr;
     const Palette* palette = nullptr;
     PlacedEntity placed;
@@ -74,6 +76,7 @@ class LevelLibrary {
     [[nodiscard]] const Levels* find(const LevelSource& source) const;
     [[nodiscard]] const Table* tableFor(std::uint64_t model) const;
     void buildNext();
+    void forgetOldest(std::uint64_t model);
     void measureNext();
 
     std::vector<LevelSource> sources_;
@@ -81,7 +84,8 @@ class LevelLibrary {
     std::list<Table> tables_;
     Terms terms_;
     ViewSet views_;
-    double changedAt_ = 0.0;  // when the sources were last others than before
+    double changedAt_ = 0.0;   // when the models were last others than before
+    double refilledAt_ = 0.0;  // when an octree last held another frame than before
     bool still_ = false;
     bool measured_ = false;
     std::optional<RepresentationMeter> meter_;

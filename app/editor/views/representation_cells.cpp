@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "app/editor/panels/trade_text.h"
 #include "app/editor/panels/widgets.h"
@@ -124,14 +125,24 @@ Status RepresentationCells::draw(SceneRenderer& renderer, const Subject& subject
         scene.entities = {drawnBy(exact, cell.choice, levels, library.views())};
         cell.offered = scene.entities.front().representation == kind;
         if (!cell.offered) scene.entities.clear();
-        if (!cell.frame) cell.frame = std::make_unique<Frame>(framePx);
-        cell.frame->resize(framePx);
+        if (!cell.frame || cell.frame->sizePx() != framePx) {
+            leaving_.push_back(std::exchange(cell.frame, std::make_unique<Frame>(framePx)));
+        }
         const Result<SceneStats> stats =
             renderer.draw(*cell.frame, scene, camera, subject.profile, subject.profile.mode);
         if (!stats) return Failure(stats.error());
         cell.stats = *stats;
     }
     return {};
+}
+
+void RepresentationCells::clear() {
+    shown_.reset();
+    areas_.clear();
+    for (Cell& cell : cells_) {
+        cell.offered = false;
+        cell.error.reset();
+    }
 }
 
 bool RepresentationCells::pending() const {
@@ -153,6 +164,7 @@ Status RepresentationCells::measureNext() {
 
 void RepresentationCells::show(Ui& ui, const ViewCanvas& canvas, const LevelLibrary& library) {
     const Theme& theme = ui.theme;
+    leaving_.clear();
     ImDrawList& draw = canvas.overlay();
     const ImVec2 min = canvas.toWindow({0, 0});
     const ImVec2 max = canvas.toWindow(glm::dvec2(canvas.sizePx()));
@@ -191,6 +203,15 @@ void RepresentationCells::show(Ui& ui, const ViewCanvas& canvas, const LevelLibr
         }
         ui.probe.mark("represent." + std::to_string(k), from, to);
         caption(ui, cell, from, to, k == chosen_);
+    }
+    if (areas_.empty()) {
+        const ImVec2 end(max.x, max.y - static_cast<float>(barPx(theme)));
+        draw.AddRectFilledMultiColor(min, end, kBackTop, kBackTop, kBackBottom, kBackBottom);
+        constexpr const char* kNothing = "No voxels to draw yet";
+        const ImVec2 size = ImGui::CalcTextSize(kNothing);
+        draw.AddText({std::round((min.x + end.x - size.x) * 0.5f),
+                      std::round((min.y + end.y - size.y) * 0.5f)},
+                     kPillText, kNothing);
     }
     const std::string progress = library.progress();
     if (!progress.empty()) {

@@ -37,6 +37,8 @@ class RepresentationCells {
                                       const LevelLibrary& library,
                                       const RepresentationSettings& settings, glm::ivec2 viewPx,
                                       int gapPx);
+    // Shows nothing until it is drawn again.
+    void clear();
     // Some error is still to be worked out.
     [[nodiscard]] bool pending() const;
 
@@ -82,6 +84,8 @@ class RepresentationCells {
     double flightSeconds_ = 0.0;
     int still_ = 0;  // pictures in a row that were the same
     std::optional<Shown> shown_;
+    // Of another size than what is drawn now: the user interface may have been told to show them.
+    std::vector<std::unique_ptr<Frame>> leaving_;
 };
 
 }  // namespace voxprite::editor

@@ -1,6 +1,7 @@
 #include "app/editor/views/scene_representations.h"
 
 #include <cmath>
+#include <set>
 
 namespace voxprite::editor {
 namespace {
@@ -40,16 +41,22 @@ Palette tinted(const Palette& palette, Rgba8 tint) {
     return result;
 }
 
+void SceneRepresentations::keepTinted(const Scene& scene, bool tint) {
+    std::set<const Palette*> palettes;
+    for (const SceneEntity& entity : scene.entities) {
+        if (tint) palettes.insert(entity.palette);
+    }
+    // The palette of a model that has gone is not there any more.
+    std::erase_if(tinted_, [&](const auto& item) { return !palettes.contains(item.first.first); });
+    for (auto& [key, palette] : tinted_) palette = tinted(*key.first, tintOf(key.second));
+}
+
 RepresentationShares SceneRepresentations::choose(
     Scene& scene, const Camera& camera, const RepresentationSettings& settings,
     const LevelLibrary& library, std::span<std::optional<RepresentationChoice>> before) {
     RepresentationShares shares;
     std::map<const GpuOctree*, std::pair<const GpuModelLevels*, const RepresentationTable*>> known;
-    if (settings.tint) {
-        for (auto& [key, palette] : tinted_) palette = tinted(*key.first, tintOf(key.second));
-    } else {
-        tinted_.clear();
-    }
+    keepTinted(scene, settings.tint);
     scene.clusterBudgetPx = settings.clusterBudgetPx;
     const ChoiceRules rules = settings.rules();
     for (std::size_t k = 0; k < scene.entities.size(); ++k) {

@@ -30,6 +30,9 @@ class SceneRepresentations {
                                 std::span<std::optional<RepresentationChoice>> before);
 
   private:
+    // Those of this scene's palettes, as they are now.
+    void keepTinted(const Scene& scene, bool tint);
+
     std::map<std::pair<const Palette*, Representation>, Palette> tinted_;
 };
 

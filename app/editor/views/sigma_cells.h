@@ -21,7 +21,14 @@ struct SpriteCell {
     std::vector<std::optional<RepresentationChoice>> chosen;  // likewise
     RepresentationShares shares{};
     SceneStats stats;
-    std::string problem;  // why there is no picture
+    std::string problem;            // why there is no picture
+    std::uint64_t arrangement = 0;  // SpriteScene::arrangement() that the entities are of
+
+    // What its views remember.
+    void forget() {
+        histories.clear();
+        chosen.clear();
+    }
 };
 
 // Pictures, values and what can be done with them; between the canvas' begin() and end().

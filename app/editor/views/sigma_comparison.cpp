@@ -5,6 +5,7 @@
 #include "core/model/game_profile.h"
 
 namespace voxprite::editor {
+
 void SigmaComparison::open(int count, double profileSigma) {
     cells = count;
     // From coarse to fine; what is finer than the game's sigma would be minified in a small cell.
@@ -27,6 +28,10 @@ void SigmaComparison::follow(double profileSigma) {
     const auto found = std::find(sigmas.begin(), end, profileSigma);
     if (found != end) inForce = static_cast<int>(found - sigmas.begin());
     sigmas[static_cast<std::size_t>(inForce)] = profileSigma;
+}
+
+std::size_t SigmaComparison::inForceAmong(std::size_t pictures) const {
+    return pictures > 1 ? std::min(static_cast<std::size_t>(inForce), pictures - 1) : 0;
 }
 
 std::vector<CellArea> cellAreas(glm::ivec2 viewPx, int cells, int gapPx) {

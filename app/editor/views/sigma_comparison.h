@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <glm/vec2.hpp>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct SigmaComparison {
 
     bool operator==(const SigmaComparison&) const = default;
     [[nodiscard]] bool on() const { return cells > 0; }
+    // The cell in force among so many pictures: a view that has just been split anew still shows
+    // those it had.
+    [[nodiscard]] std::size_t inForceAmong(std::size_t pictures) const;
     // Shows `count` cells (0, 2 or 4) with values around that of the profile.
     void open(int count, double profileSigma);
     // The profile has this sigma now: a cell that shows it already becomes the one in force, else

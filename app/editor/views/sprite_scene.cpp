@@ -48,6 +48,7 @@ std::vector<Error> SpriteScene::follow(const Session& session, const SceneSettin
         arrangedFor_ = settings.copies;
         arrangedSubjects_ = std::move(subjects);
         extrasRevision_ = extras_.revision();
+        ++arrangement_;
         ++revision_;
     }
     return problems;
@@ -129,11 +130,13 @@ Scene SpriteScene::make(const Session& session, const GpuOctree& edited, const V
 
 std::vector<LevelSource> SpriteScene::levelSources(const Session& session,
                                                    const GpuOctree& edited) const {
+    std::vector<LevelSource> sources;
     // Revisions of documents and of octrees are counted apart: even and odd numbers.
-    std::vector<LevelSource> sources{{2 * session.modelRevision(), session.frame(), &edited,
-                                      &session.shownPalette(), session.madeInGame(), [&session] {
-                                          return session.octree().canonical(session.bounds());
-                                      }}};
+    if (!session.bounds().empty()) {
+        sources.push_back({2 * session.contentsRevision(), session.frame(), &edited,
+                           &session.shownPalette(), session.madeInGame(),
+                           [&session] { return session.octree().canonical(session.bounds()); }});
+    }
     for (const ExtraModel* extra : subjects_) {
         if (extra == nullptr || formation_.copies.empty()) continue;
         const GpuOctree& shown = extra->at(seconds_);

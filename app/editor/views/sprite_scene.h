@@ -26,6 +26,8 @@ class SpriteScene {
     [[nodiscard]] std::size_t entityCount() const { return 1 + formation_.copies.size(); }
     // Rises with every change that follow() and advance() make to the picture.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
+    // Rises when other entities may stand there: what was known of one by its place is void.
+    [[nodiscard]] std::uint64_t arrangement() const { return arrangement_; }
     // From the edited model's anchor to the outermost copy's far side; 0 without copies.
     [[nodiscard]] double radiusMetres() const { return formation_.radiusMetres; }
 
@@ -36,7 +38,7 @@ class SpriteScene {
                              const ViewSettings& view, const GameProfile& profile,
                              std::span<ViewHistory> histories);
 
-    // The models of that scene, for what they can be drawn by. `session` and `edited` are read as
+    // The models of that scene that have voxels, for what they can be drawn by. `session` and `edited` are read as
     // long as the sources are used.
     [[nodiscard]] std::vector<LevelSource> levelSources(const Session& session,
                                                         const GpuOctree& edited) const;
@@ -57,6 +59,7 @@ class SpriteScene {
     double walkedMetres_ = 0.0;
     double seconds_ = 0.0;
     std::uint64_t revision_ = 0;
+    std::uint64_t arrangement_ = 0;
 };
 
 }  // namespace voxprite::editor

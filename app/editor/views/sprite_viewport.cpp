@@ -93,6 +93,7 @@ void SpriteViewport::show(Ui& ui, ImVec2 min, ImVec2 size) {
     settings.comparison.follow(ui.session.profile().sigma);
     reference_ = ui.context.study.reference();
     gapPx_ = static_cast<int>(ui.theme.px(2));
+    scale_ = ui.theme.scale;
     areas_ = cellAreas(canvas_.sizePx(), settings.comparison.cells, gapPx_);
     comparedPx_ = glm::max(canvas_.sizePx() - glm::ivec2(0, RepresentationCells::barPx(ui.theme)),
                            glm::ivec2(1));
@@ -127,6 +128,10 @@ void SpriteViewport::showCells(Ui& ui, ViewInput& input) {
         camera_.orbit({static_cast<double>(moved.x), static_cast<double>(moved.y)});
     }
     ViewCanvas::navigate(input, camera_);
+    // What is shown now is drawn after it: the textures have to be those that will be drawn into.
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        if (cells_[i].frame) cells_[i].frame->resize(areas_[i].size);
+    }
     showSigmaCells(ui, canvas_, areas_, cells_);
 }
 
@@ -138,14 +143,14 @@ void SpriteViewport::showRepresentations(Ui& ui, ViewInput& input) {
     }
     // Near and far are the row's: the wheel goes there, too.
     RepresentationSettings& settings = ui.settings.scene.representations;
-    if (input.wheel != 0.0) {
+    const ViewMotion motion = motionOf(input);
+    const double notches = motion.dragNotches + motion.wheelNotches;
+    if (notches != 0.0) {
         settings.flying = false;
-        settings.comparedSizePx = std::clamp(settings.comparedSizePx * std::exp2(input.wheel / 6.0),
+        settings.comparedSizePx = std::clamp(settings.comparedSizePx * std::exp2(notches / 6.0),
                                              kLeastComparedPx, kMostComparedPx);
     }
-    if (input.drag == CameraMove::orbit) {
-        camera_.orbit(input.movedPx);
-    }
+    if (motion.orbitPx != glm::dvec2(0.0)) camera_.orbit(motion.orbitPx);
     compared_.show(ui, canvas_, *library_);
 }
 
@@ -217,12 +222,8 @@ void SpriteViewport::drawAnchor(Ui& ui, const Camera& camera, const PlacedEntity
     ui.probe.mark("sprite.anchor", {at->x - outer, at->y - outer}, {at->x + outer, at->y + outer});
 }
 
-std::size_t SpriteViewport::cellInForce(const SceneSettings& settings) const {
-    return cells_.size() > 1 ? static_cast<std::size_t>(settings.comparison.inForce) : 0;
-}
-
 ViewHistory SpriteViewport::history(const SceneSettings& settings) const {
-    const std::size_t cell = cellInForce(settings);
+    const std::size_t cell = settings.comparison.inForceAmong(cells_.size());
     if (cell >= cells_.size() || cells_[cell].histories.empty()) return {};
     return cells_[cell].histories.front();
 }
@@ -249,20 +250,19 @@ bool SpriteViewport::animates(const EditorSettings& settings) const {
            (settings.view.playing && scene_.moves(settings.scene));
 }
 
-void SpriteViewport::prepareCells() {
-    cells_.resize(areas_.size());
-    for (SpriteCell& cell : cells_) {
-        // A copy's history is of no use to whoever comes to stand in its place.
-        if (cell.histories.size() == scene_.entityCount()) continue;
-        cell.histories.resize(std::min<std::size_t>(cell.histories.size(), 1));
-        cell.histories.resize(scene_.entityCount());
-        cell.chosen.assign(scene_.entityCount(), std::nullopt);
-    }
+void SpriteViewport::prepare(SpriteCell& cell) {
+    // A copy's history is of no use to whoever comes to stand in its place.
+    if (cell.arrangement == scene_.arrangement() && !cell.histories.empty()) return;
+    cell.arrangement = scene_.arrangement();
+    cell.histories.resize(std::min<std::size_t>(cell.histories.size(), 1));
+    cell.histories.resize(scene_.entityCount());
+    cell.chosen.assign(scene_.entityCount(), std::nullopt);
 }
 
 Status SpriteViewport::renderCell(SpriteCell& cell, Frame& frame, const Session& session,
                                   const GpuOctree& octree, const EditorSettings& settings,
                                   const GameProfile& profile) {
+    prepare(cell);
     Scene scene = scene_.make(session, octree, settings.view, profile, cell.histories);
     const Camera camera = camera_.camera(frame.sizePx());
     cell.shares = representations_.choose(scene, camera, settings.scene.representations, *library_,
@@ -275,7 +275,7 @@ Status SpriteViewport::renderCell(SpriteCell& cell, Frame& frame, const Session&
             gizmoTarget(session, settings.tool.gizmo, cell.stats.sigmaInForce);
         const auto corners = proxyCorners(target.placed, target.sigmaInForce);
         OverlayShapes shapes;
-        shapes.addBox(corners, Rgba8(255, 255, 255, 150), 1.5f);
+        shapes.addBox(corners, Rgba8(255, 255, 255, 150), 1.5f * scale_);
         overlay_.draw(frame, shapes, camera, OverlayDepth::faintBehind);
     }
     return {};
@@ -299,7 +299,10 @@ void SpriteViewport::followLevels(const Session& session, const GpuOctree& octre
 
 Result<bool> SpriteViewport::renderCompared(const Session& session, const GpuOctree& octree,
                                             const RepresentationSettings& settings) {
-    if (session.bounds().empty()) return false;
+    if (session.bounds().empty()) {
+        compared_.clear();
+        return false;
+    }
     const OrbitAngles angles{camera_.yawDegrees, camera_.pitchDegrees, 0.0};
     const RepresentationCells::Subject subject{
         &octree, &session.shownPalette(), session.placedInGame(), session.profile(),
@@ -340,6 +343,7 @@ Result<bool> SpriteViewport::renderScene(const Session& session, const GpuOctree
                        camera_,
                        canvas_.sizePx(),
                        areas_.size(),
+                       scale_,
                        settings.view,
                        comparison,
                        settings.scene.representations,
@@ -352,9 +356,10 @@ Result<bool> SpriteViewport::renderScene(const Session& session, const GpuOctree
     // A crowd that takes long to draw must not hold up the hand that moves over the edit view: half
     // of the time is left to it.
     postponed_ = session.previews() && figures_.cpuMs > kSlowMs &&
-                 milliseconds(start - drawnAt_) < figures_.cpuMs;
+                 milliseconds(start - drawnAt_) < figures_.cpuMs && shown_ &&
+                 shown_->sizePx == wanted.sizePx;
     if (postponed_) return false;
-    prepareCells();
+    cells_.resize(areas_.size());
     Status done;
     SceneStats sum;
     timer_.begin();
@@ -382,10 +387,11 @@ Result<bool> SpriteViewport::renderScene(const Session& session, const GpuOctree
     drawnAt_ = std::chrono::steady_clock::now();
     timer_.end();
     shown_ = wanted;
-    figures_.shares = cells_[cellInForce(settings.scene)].shares;
+    const SpriteCell& cellInForce = cells_[comparison.inForceAmong(cells_.size())];
+    figures_.shares = cellInForce.shares;
     if (!done) return Failure(done.error());
     const bool isB = showsSides(settings.trade) && settings.trade.side == SideShown::b;
-    const SceneStats& inForce = isB ? cellB_.stats : cells_[cellInForce(settings.scene)].stats;
+    const SceneStats& inForce = isB ? cellB_.stats : cellInForce.stats;
     sum.sigmaInForce = inForce.sigmaInForce;
     sum.screenPxPerPx = inForce.screenPxPerPx;
     figures_.entities = scene_.entityCount();

@@ -48,10 +48,14 @@ class SpriteViewport {
     void toGameDistance(const Session& session, double screenPxPerPx);
     // Another document: nothing of the last one's views is remembered.
     void forget() {
-        cells_.clear();
+        // Their frames stay: the user interface may have been told to show them.
+        for (SpriteCell& cell : cells_) cell.forget();
+        cellB_.forget();
         library_->clear();
         heat_->clear();
-        cellB_ = {};
+        compared_.clear();
+        gizmo_ = {};
+        shown_.reset();
     }
 
     // The sprite as it shows, see spritePicture(): B's where B shows alone, else that of the
@@ -89,7 +93,8 @@ class SpriteViewport {
                                     const EditorSettings& settings);
     void useGizmo(Ui& ui, const ViewInput& input, const Camera& camera);
     void drawAnchor(Ui& ui, const Camera& camera, const PlacedEntity& placed);
-    void prepareCells();
+    // A history for each entity.
+    void prepare(SpriteCell& cell);
     void followLevels(const Session& session, const GpuOctree& octree,
                       const EditorSettings& settings);
     [[nodiscard]] Result<bool> renderScene(const Session& session, const GpuOctree& octree,
@@ -101,7 +106,6 @@ class SpriteViewport {
                                     const GameProfile& profile);
     // The size of one cell, and the history of the entity in the cell that is in force.
     [[nodiscard]] glm::ivec2 cellPx() const;
-    [[nodiscard]] std::size_t cellInForce(const SceneSettings& settings) const;
     [[nodiscard]] ViewHistory history(const SceneSettings& settings) const;
 
     struct Shown {
@@ -111,6 +115,7 @@ class SpriteViewport {
         OrbitCamera camera;
         glm::ivec2 sizePx{0};
         std::size_t cells = 1;
+        float scale = 1.0f;  // of the gaps between them, and of lines
         ViewSettings view;
         SigmaComparison comparison;
         RepresentationSettings representations;
@@ -136,6 +141,7 @@ class SpriteViewport {
     RepresentationCells compared_;
     glm::ivec2 comparedPx_{1};  // without the row below
     int gapPx_ = 2;
+    float scale_ = 1.0f;  // of the user interface
     // Apart, so that this can be moved while the library builds.
     std::unique_ptr<LevelLibrary> library_ = std::make_unique<LevelLibrary>();
     std::unique_ptr<ErrorHeat> heat_ = std::make_unique<ErrorHeat>();

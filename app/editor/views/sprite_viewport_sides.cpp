@@ -107,6 +107,7 @@ void SpriteViewport::showSides(Ui& ui) {
     const float width = max.x - min.x;
     const float from = both ? std::round(min.x + width * static_cast<float>(settings.wipe)) : min.x;
     if (cellB_.frame && cellB_.problem.empty()) {
+        cellB_.frame->resize(canvas_.sizePx());  // as it will be drawn in a moment
         const float share = (from - min.x) / width;
         // The texture's rows run upward.
         canvas_.overlay().AddImage(imguiTexture(cellB_.frame->colourTexture()), {from, min.y}, max,
@@ -124,9 +125,7 @@ Status SpriteViewport::renderB(const Session& session, const GpuOctree& octree,
     const GameProfile profile = trade::profileWith(session.profile(), b);
     if (!cellB_.frame) cellB_.frame = std::make_unique<Frame>(canvas_.sizePx());
     cellB_.frame->resize(canvas_.sizePx());
-    if (cellB_.histories.size() != scene_.entityCount()) {
-        cellB_.histories.assign(scene_.entityCount(), ViewHistory());
-    }
+    prepare(cellB_);
     if (viewsBName_ != b.viewSet) {
         viewsB_ = ViewSet::named(b.viewSet).value_or(ViewSet());
         viewsBName_ = b.viewSet;

@@ -39,7 +39,7 @@ void VoxelClusters::follow(const Session& session, DrawBy drawBy) {
     job_.finish();
     const bool wanted = drawBy == DrawBy::clusters ||
                         (drawBy == DrawBy::automatic && isWorthTrying(session.bounds()));
-    const Model model{session.modelRevision(), session.frame()};
+    const Model model{session.contentsRevision(), session.frame()};
     stillFrames_ = seen_ == model && !session.previews() ? stillFrames_ + 1 : 0;
     seen_ = model;
     const bool known = made_ == model || failed_ == model;
@@ -70,7 +70,7 @@ void VoxelClusters::start(const Session& session, const Model& model) {
 const GpuClusters* VoxelClusters::toDraw(const Session& session, const GpuOctree& octree,
                                          DrawBy drawBy, double radiusPx) const {
     if (drawBy == DrawBy::rays || session.previews()) return nullptr;
-    if (made_ != Model{session.modelRevision(), session.frame()}) return nullptr;
+    if (made_ != Model{session.contentsRevision(), session.frame()}) return nullptr;
     // A preview may have moved the tree, and left it so.
     if (clusters_.treeFromVoxel() != octree.treeFromVoxel() || maxDepth_ != octree.maxDepth()) {
         return nullptr;

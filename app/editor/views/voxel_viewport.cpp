@@ -193,7 +193,7 @@ bool VoxelViewport::render(const Session& session, const GpuOctree& octree,
     selection_->draw(view_, canvas_.frame(), camera, scale_);
     OverlayShapes shapes = guidesOf(guides, wanted.bounds, scale_);
     if (wanted.view.boundsBox && !wanted.bounds.empty()) {
-        shapes.addBox(boundsCorners(wanted.bounds), behind.ink, 1.5f);
+        shapes.addBox(boundsCorners(wanted.bounds), behind.ink, 1.5f * scale_);
     }
     if (!shapes.lines.empty()) {
         overlay_.draw(canvas_.frame(), shapes, camera, OverlayDepth::faintBehind);
