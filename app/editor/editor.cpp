@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <optional>
 
 #include "app/editor/app.h"
 #include "app/editor/window/frame_report.h"
@@ -72,11 +73,13 @@ class Editor {
     StartTimes& startTimes_;
     std::optional<Replay> replay_;
     std::ofstream recording_;
+    ScriptFrames recordedFrames_;
     FrameReport times_;
     std::vector<std::filesystem::path> screenshots_;  // of this frame
     long long frame_ = 0;
     int unsettled_ = kFramesToSettle;
     double lastSeconds_ = 0.0;
+    double passedSeconds_ = 0.0;  // by the pace of the frames, since the first
     bool quits_ = false;
 };
 
@@ -116,9 +119,10 @@ std::vector<InputEvent> Editor::eventsOfFrame() {
         }
         if (replay_->done() && !quits_) replay_.reset();
     }
-    if (recording_.is_open()) {
+    if (recording_.is_open() && !events.empty()) {
+        const long long frame = recordedFrames_.next(passedSeconds_);
         for (const InputEvent& event : events) {
-            const std::string line = writeScriptLine(frame_, event);
+            const std::string line = writeScriptLine(frame, event);
             if (!line.empty()) recording_ << line << std::endl;
         }
     }
@@ -131,12 +135,13 @@ Status Editor::saveScreenshot(const std::filesystem::path& path) const {
 
 Status Editor::oneFrame() {
     app_.clock().begin();
-    const std::vector<InputEvent> events = eventsOfFrame();
-    if (!events.empty()) unsettled_ = kFramesToSettle;
     const double now = Window::seconds();
     // A replay runs at one pace on every machine.
-    const double delta = automatic() ? 1.0 / 60.0 : now - lastSeconds_;
+    const double delta = automatic() ? 1.0 / kScriptFramesPerSecond : now - lastSeconds_;
     lastSeconds_ = now;
+    if (frame_ > 0) passedSeconds_ += delta;
+    const std::vector<InputEvent> events = eventsOfFrame();
+    if (!events.empty()) unsettled_ = kFramesToSettle;
 
     if (automatic()) app_.finishWork();
     const Theme& theme = host_.updateTheme(app_.settings().window);
@@ -177,7 +182,10 @@ Status Editor::run() {
             sizePx = window_.framebufferPx();
             unsettled_ = kFramesToSettle;
         }
-        if (sizePx.x <= 0 || sizePx.y <= 0) continue;  // minimised
+        if (sizePx.x <= 0 || sizePx.y <= 0) {  // minimised
+            window_.pollEvents(kIdleWaitSeconds);
+            continue;
+        }
         if (Status drawn = oneFrame(); !drawn) return drawn;
         ++frame_;
         unsettled_ = std::max(0, unsettled_ - 1);
@@ -219,10 +227,14 @@ Status runEditor(const EditorOptions& options) {
     if (options.windowPx) place = {.width = options.windowPx->x, .height = options.windowPx->y};
     StartTimes startTimes;
     startTimes.mark("program");
+    std::optional<Window> window;  // outlives what draws in it
     // Its fonts are laid out while the driver makes the window's context.
     ImGuiHost host(ImGuiHost::scaleOf(options.contentScale.value_or(1.0), settings.window));
-    Result<Window> window = Window::open("voxprite", place, options.contentScale);
-    if (!window) return Failure(window.error());
+    {
+        Result<Window> opened = Window::open("voxprite", place, options.contentScale);
+        if (!opened) return Failure(opened.error());
+        window = std::move(*opened);
+    }
     startTimes.mark("window");
     if (Status opened = host.open(*window); !opened) return opened;
     Result<std::unique_ptr<App>> app = App::create(settings, options.layoutDump);

@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "app/editor/settings/settings.h"
 #include "app/editor/window/input.h"
+#include "app/editor/window/layout_probe.h"
 #include "app/editor/window/play_script.h"
 #include "tests/support/temporary_folder.h"
 
@@ -92,7 +94,7 @@ TEST(EditorPlayScript, WhatIsWrittenReadsBack) {
     events.push_back(wheel);
     InputEvent drop;
     drop.kind = InputKind::drop;
-    drop.files = {"a b.vox", "c.svo"};
+    drop.files = {"a b.vox", "c.svo", "caf\xE9.vox"};
     events.push_back(drop);
 
     std::string script;
@@ -111,6 +113,24 @@ TEST(EditorPlayScript, WhatIsWrittenReadsBack) {
         EXPECT_EQ(read.files, events[i].files);
         EXPECT_EQ(read.kind != InputKind::text && read.down, events[i].down);
     }
+}
+
+// Two clicks that were none of a double click must not become one.
+TEST(EditorPlayScript, ARecordingKeepsTheTimeBetweenEvents) {
+    ScriptFrames frames;
+    EXPECT_EQ(frames.next(0.0), 0);
+    EXPECT_EQ(frames.next(0.001), 1);  // another frame of the screen
+    EXPECT_EQ(frames.next(0.6), 36);
+    EXPECT_EQ(frames.next(0.601), 37);
+    EXPECT_EQ(frames.next(10.0), 600);
+}
+
+TEST(LayoutProbe, NamesOfFilesMayHoldAnyBytes) {
+    const test::TemporaryFolder folder;
+    LayoutProbe probe(folder / "layout.json");
+    ASSERT_TRUE(probe.endFrame({{"file", "caf\xE9.vox"}}));
+    const auto written = nlohmann::json::parse(std::ifstream(folder / "layout.json"));
+    EXPECT_TRUE(written.at("state").at("file").get<std::string>().ends_with(".vox"));
 }
 
 TEST(EditorPlayScript, AMissingFrameIsThatOfTheLineBefore) {

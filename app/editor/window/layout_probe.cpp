@@ -19,7 +19,8 @@ Status LayoutProbe::endFrame(const nlohmann::json& state) {
     nlohmann::json json{{"items", nlohmann::json::object()}, {"state", state}};
     for (const auto& [name, rect] : items_) json["items"][name] = {rect.x, rect.y, rect.z, rect.w};
     items_.clear();
-    std::string text = json.dump(1);
+    // Names of files may hold any bytes.
+    std::string text = json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
     if (text == written_) return {};
     written_ = std::move(text);
     return writeFileAtomically(*path_, written_);

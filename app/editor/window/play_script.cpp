@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "core/io/json_text.h"
 
 namespace voxprite::editor {
 namespace {
@@ -57,7 +60,9 @@ bool appendLine(const Json& object, long long frame, std::vector<ScriptLine>& li
         appendText(object["text"].get<std::string>(), frame, lines);
     } else if (object.contains("drop")) {
         InputEvent event{.kind = InputKind::drop};
-        for (const auto& path : object["drop"]) event.files.emplace_back(path.get<std::string>());
+        for (const auto& path : object["drop"]) {
+            event.files.emplace_back(bytesFromJsonText(path.get<std::string>()));
+        }
         lines.push_back({frame, std::move(event)});
     } else if (object.contains("screenshot")) {
         lines.push_back({frame, ScriptScreenshot{object["screenshot"].get<std::string>()}});
@@ -97,6 +102,11 @@ Result<std::vector<ScriptLine>> readPlayScript(std::string_view text) {
         }
     }
     return lines;
+}
+
+long long ScriptFrames::next(double seconds) {
+    last_ = std::max(last_ + 1, std::llround(kScriptFramesPerSecond * seconds));
+    return last_;
 }
 
 std::string writeScriptLine(long long frame, const InputEvent& event) {
@@ -143,7 +153,9 @@ std::string writeScriptLine(long long frame, const InputEvent& event) {
         }
         case InputKind::drop:
             object["drop"] = Json::array();
-            for (const auto& path : event.files) object["drop"].push_back(path.string());
+            for (const auto& path : event.files) {
+                object["drop"].push_back(jsonTextFromBytes(path.string()));
+            }
             break;
         case InputKind::leave:
             return {};

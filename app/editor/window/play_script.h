@@ -8,7 +8,8 @@
 //   {"frame": 9, "screenshot": "a.png"}         what that frame showed
 //   {"frame": 9, "mark": "select all"}          what --frame-times calls the frames from here on
 //   {"frame": 10, "quit": true}                 at once, without a question
-// A missing frame is that of the line before; frames never go back.
+// A missing frame is that of the line before; frames never go back. Sixty of them are a second for
+// all that goes by time.
 #pragma once
 
 #include <filesystem>
@@ -22,6 +23,8 @@
 #include "core/base/result.h"
 
 namespace voxprite::editor {
+
+inline constexpr double kScriptFramesPerSecond = 60.0;
 
 struct ScriptScreenshot {
     std::filesystem::path path;
@@ -38,6 +41,17 @@ struct ScriptLine {
 
 // Errors name the line.
 [[nodiscard]] Result<std::vector<ScriptLine>> readPlayScript(std::string_view text);
+// Under which frames what happens is recorded: the replay waits as long between two clicks as the
+// hand did, and whatever came in frames of their own does so again.
+class ScriptFrames {
+  public:
+    // For the next frame in which something happens, so many seconds after the first of all.
+    [[nodiscard]] long long next(double seconds);
+
+  private:
+    long long last_ = -1;
+};
+
 // One line, without its end; empty for what a script cannot hold.
 [[nodiscard]] std::string writeScriptLine(long long frame, const InputEvent& event);
 
