@@ -59,8 +59,9 @@ void drawHistory(Ui& ui) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0f, 0.0f});
     ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0f, 0.5f});
     const ImVec2 row(0.0f, ui.theme.px(22));
-    // Not "as opened": the oldest steps may be gone.
-    if (textSelectable("  Before these steps", position == 0, row)) goTo(0);
+    // Where there are steps the oldest ones may be gone.
+    const char* start = steps.empty() ? "  As opened" : "  Before these steps";
+    if (textSelectable(start, position == 0, row)) goTo(0);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(steps.size()));
     while (clipper.Step()) {
