@@ -16,6 +16,7 @@
 #include "tests/support/must.h"
 #include "tests/support/random.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/voxels.h"
 
 namespace voxprite::editor {
 namespace {
