@@ -1,4 +1,6 @@
 // The palette panel, by hand: choosing, dragging, recolouring, a variant; all of it undone.
+#include <array>
+
 #include "core/edit/palette_edits.h"
 #include "core/io/formats.h"
 #include "tests/app/editor_window.h"
@@ -61,6 +63,7 @@ TEST_F(PaletteInAWindow, ColoursAreChosenMovedRecolouredAndVaried) {
     awaitState("colour", 1);
     key("ctrl+s");
     awaitState("unsaved", false);
+    awaitState("working", false);
 
     expected.palette = withSlotMoved(expected.palette, 9, 3);
     expected.palette.variants = {{"Variant", {{9, Rgba8(0x11, 0x22, 0x33, 255)}}}};
@@ -80,10 +83,61 @@ TEST_F(PaletteInAWindow, ColoursAreChosenMovedRecolouredAndVaried) {
     }
     key("ctrl+s");
     awaitState("unsaved", false);
+    awaitState("working", false);
     const auto undone = loadDocument(path);
     ASSERT_TRUE(undone);
     EXPECT_EQ(undone->document.palette, Palette::standard());
     EXPECT_EQ(colourCounts(undone->document)[5], 120u);
+}
+
+TEST_F(PaletteInAWindow, ManyAreChangedAtOnce) {
+    ASSERT_NO_FATAL_FAILURE(startDisplay({1280, 1000}));
+    const Document start = documentOf(solidBox({6, 5, 4}, 5));
+    const std::string path = file("box.voxprite").string();
+    ASSERT_TRUE(saveDocument(path, start, GameProfile{}));
+    ASSERT_NO_FATAL_FAILURE(startEditor({path}));
+    awaitState("voxels", 120);
+    static_cast<void>(centreOf("palette.swatches"));
+    const ColourCounts counts = colourCounts(start);
+    Palette expected = start.palette;
+
+    click(swatch(20));
+    awaitState("colour", 20);
+    clickWith("ctrl", swatch(24));
+    click(centreOf("command.swap_colours"));
+    awaitState("steps", 1);
+    expected = withSwapped(expected, 20, 24);
+    click(swatch(30));
+    awaitState("colour", 30);
+    clickWith("shift", swatch(33));
+    click(centreOf("command.gradient"));
+    awaitState("steps", 2);
+    const std::array<std::uint8_t, 4> ramp{30, 31, 32, 33};
+    expected = withGradient(expected, std::nullopt, ramp);
+    click(swatch(50));
+    awaitState("colour", 50);
+    clickWith("shift", swatch(53));
+    click(centreOf("palette.sort"));
+    click(centreOf("palette.sort_by_lightness"));
+    awaitState("steps", 3);
+    const std::array<std::uint8_t, 4> sorted{50, 51, 52, 53};
+    expected = withOrder(expected, sorted, PaletteOrder::lightness, counts);
+    click(swatch(40));
+    awaitState("colour", 40);
+    const std::optional<std::uint8_t> copy = freeIndex(expected, counts);
+    ASSERT_TRUE(copy);
+    click(centreOf("command.duplicate_colour"));
+    awaitState("steps", 4);
+    awaitState("colour", *copy);
+    expected = withDuplicate(expected, 40, *copy);
+
+    key("ctrl+s");
+    awaitState("unsaved", false);
+    awaitState("working", false);
+    const auto saved = loadDocument(path);
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(saved->document.palette, expected);
+    EXPECT_NE(expected, start.palette);
 }
 
 }  // namespace

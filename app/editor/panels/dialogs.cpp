@@ -26,7 +26,7 @@ Answers Dialogs::draw(Ui& ui) {
 }
 
 UnsavedAnswer Dialogs::drawUnsaved(Ui& ui) {
-    if (!beginDialog(ui, "##unsaved", "Save the changes?", 420)) return UnsavedAnswer::none;
+    if (!beginDialog(ui, "##unsaved", question_.c_str(), 420)) return UnsavedAnswer::none;
     const std::string text = unsaved_ + " has changes that are in no file yet.";
     ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.textDim);
     ImGui::TextWrapped("%s", text.c_str());

@@ -27,8 +27,11 @@ struct AboutLine {
 
 class Dialogs {
   public:
-    // Of what there is no file yet: "hut", in quotes, or the game profile.
-    void askUnsaved(std::string what) { unsaved_ = std::move(what); }
+    // `what` has changes that are in no file yet: "hut", in quotes, or the game profile.
+    void askUnsaved(std::string question, std::string what) {
+        question_ = std::move(question);
+        unsaved_ = std::move(what);
+    }
     // The file that is to be saved, by its name.
     void askChanged(std::string file) { changed_ = std::move(file); }
     void showError(std::string text) { error_ = std::move(text); }
@@ -43,6 +46,7 @@ class Dialogs {
     void drawError(Ui& ui);
     void drawAbout(Ui& ui);
 
+    std::string question_;
     std::string unsaved_;
     std::string changed_;
     std::string error_;

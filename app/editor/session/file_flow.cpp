@@ -227,7 +227,7 @@ void FileFlow::unlessUnsaved(Waiting what) {
     waiting_ = what;
     if (!context_.session.unsaved()) return unlessProfileUnsaved();
     asksForProfile_ = false;
-    context_.dialogs.askUnsaved("\"" + context_.session.title() + "\"");
+    context_.dialogs.askUnsaved("Save the changes?", "\"" + context_.session.title() + "\"");
 }
 
 void FileFlow::unlessProfileUnsaved() {
@@ -236,9 +236,10 @@ void FileFlow::unlessProfileUnsaved() {
     if (waiting_ != Waiting::quit || !session.profileHasUnsavedOfItsOwn()) return goOn();
     asksForProfile_ = true;
     const auto& path = session.profilePath();
-    context_.dialogs.askUnsaved("The game profile " +
-                                (path ? "\"" + path->filename().string() + "\""
-                                      : std::string("(light, outline and the like)")));
+    context_.dialogs.askUnsaved(
+        "Save the game profile?",
+        "The game profile " + (path ? "\"" + path->filename().string() + "\""
+                                    : std::string("(light, outline and the like)")));
 }
 
 void FileFlow::afterUnsavedQuestion(UnsavedAnswer answer) {
