@@ -28,12 +28,13 @@ std::uint64_t Colours::keyOf(glm::ivec3 cube) {
     return bits(cube.x) << 42 | bits(cube.y) << 21 | bits(cube.z);
 }
 
-Colours::Level& Colours::level(int edge) {
-    for (Level& level : levels_) {
-        if (level.edge == edge) return level;
+void Colours::add(glm::ivec3 origin, int edge, std::vector<Rgba8> colours) {
+    auto level = std::ranges::find(levels_, edge, &Level::edge);
+    if (level == levels_.end()) level = levels_.insert(levels_.end(), {edge, {}});
+    level->cubes[keyOf(cubeOf(origin, edge))] = std::move(colours);
+    for (std::size_t k = 0; k < kEdges.size(); ++k) {
+        if (edge < kEdges[k]) parents_[k].insert(keyOf(cubeOf(origin, kEdges[k])));
     }
-    levels_.push_back({edge, {}});
-    return levels_.back();
 }
 
 Result<Colours> Colours::of(const Grid& grid, const VoxelGrid& voxels) {
@@ -47,7 +48,7 @@ Result<Colours> Colours::of(const Grid& grid, const VoxelGrid& voxels) {
     Visit visit;
     visit.tile = [&](glm::ivec3 origin, int edge, const Value& value, bool active) -> Status {
         if (!active || !matters(origin, edge)) return {};
-        colours.level(edge).cubes[keyOf(cubeOf(origin, edge))] = {colourFrom(value)};
+        colours.add(origin, edge, {colourFrom(value)});
         return {};
     };
     visit.leaf = [&](glm::ivec3 origin, int edge, std::span<const Value> values,
@@ -56,7 +57,7 @@ Result<Colours> Colours::of(const Grid& grid, const VoxelGrid& voxels) {
         std::vector<Rgba8> cells;
         cells.reserve(values.size());
         for (const Value& value : values) cells.push_back(colourFrom(value));
-        colours.level(edge).cubes[keyOf(cubeOf(origin, edge))] = std::move(cells);
+        colours.add(origin, edge, std::move(cells));
         return {};
     };
     ByteReader reader = grid.tree;
@@ -80,13 +81,18 @@ Rgba8 Colours::at(glm::ivec3 v) const {
 }
 
 std::optional<Rgba8> Colours::over(const IBox& cube) const {
-    if (levels_.empty()) return Rgba8(0, 0, 0, 255);
+    const int edge = cube.size().x;
     for (const Level& level : levels_) {
-        if (level.edge < cube.size().x) continue;
+        if (level.edge < edge) continue;
         const auto found = level.cubes.find(keyOf(cubeOf(cube.min, level.edge)));
         if (found == level.cubes.end()) continue;
         if (found->second.size() == 1) return found->second[0];
         return std::nullopt;
+    }
+    for (std::size_t k = 0; k < kEdges.size(); ++k) {
+        const bool isEmpty =
+            kEdges[k] == edge && !parents_[k].contains(keyOf(cubeOf(cube.min, edge)));
+        if (isEmpty) return at(cube.min);
     }
     return std::nullopt;
 }

@@ -1,10 +1,12 @@
 // The colours that a grid of vectors gives to voxels. Private to core/io.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "core/base/box.h"
@@ -22,8 +24,8 @@ class Colours {
     [[nodiscard]] static Result<Colours> of(const Grid& grid, const VoxelGrid& voxels);
     // Alpha 255; black where the grid has nothing.
     [[nodiscard]] Rgba8 at(glm::ivec3 v) const;
-    // The one colour of a cube, where a tile of the grid covers it or the grid has nothing at all.
-    // Its edge is a power of two, and it is aligned to that.
+    // The one colour of a cube that is aligned to its edge, a power of eight: where a tile of the
+    // grid covers it, or (of 8, 64 or 512 an edge) nothing is in it.
     [[nodiscard]] std::optional<Rgba8> over(const IBox& cube) const;
 
   private:
@@ -33,9 +35,12 @@ class Colours {
         std::unordered_map<std::uint64_t, std::vector<Rgba8>> cubes;
     };
     [[nodiscard]] static std::uint64_t keyOf(glm::ivec3 cube);
-    Level& level(int edge);
+    void add(glm::ivec3 origin, int edge, std::vector<Rgba8> colours);
 
     std::vector<Level> levels_;
+    // Of those edges, the cubes with smaller ones in them.
+    static constexpr std::array<int, 3> kEdges{8, 64, 512};
+    std::array<std::unordered_set<std::uint64_t>, 3> parents_;
 };
 
 }  // namespace voxprite::vdb

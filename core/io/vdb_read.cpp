@@ -175,7 +175,7 @@ class Import {
         return middle & -step;
     }
 
-    void add(const Grid& grid, VoxelGrid voxels) {
+    void add(const Grid& grid, const VoxelGrid& voxels) {
         used_.insert(&grid);
         const IBox bounds = voxels.bounds();
         const glm::ivec3 pivot = bounds.empty() ? glm::ivec3(0) : pivotOf(voxels, bounds);
@@ -230,7 +230,7 @@ class Import {
         };
         Result<VoxelGrid> voxels = voxelsOf(grid, budget_, pick);
         if (!voxels) return Failure(voxels.error());
-        add(grid, std::move(*voxels));
+        add(grid, *voxels);
         return {};
     }
 
@@ -271,7 +271,7 @@ class Import {
              " is inside");
         const Grid* colours = coloursBeside();
         if (colours == nullptr) {
-            add(shape, std::move(*voxels));
+            add(shape, *voxels);
             return {};
         }
         return coloured(shape, *voxels, *colours);
