@@ -152,6 +152,16 @@ static void lattice__interval(const lattice_view* view, const uint32_t size[3],
     ends[1] = floor((determinant < 0 ? low : high) * 4096 / determinant) + 1;
 }
 
+/* As far as voxprite itself refines a view. */
+static int lattice__in_range(const lattice_view* view) {
+    const int32_t limit = 1 << 28;
+    int k;
+    for (k = 0; k < 3; ++k) {
+        if (abs(view->C[k]) > limit || abs(view->U[k]) > limit || abs(view->V[k]) > limit) return 0;
+    }
+    return 1;
+}
+
 static int lattice__positions(lattice_view* view, const double right[3], const double up[3],
                               double sigma, const uint32_t size[3]) {
     const double steps = ldexp(1.0, view->position_bits), step = ldexp(steps / sigma, 12);
@@ -196,7 +206,7 @@ int lattice_from_axes(lattice_view* view, const double right[3], const double up
         lattice_view finer = *view;
         ++finer.position_bits;
         if (model_size[0] > 0 && !lattice__positions(&finer, right, up, sigma, model_size)) break;
-        if (!lattice_is_narrow(&finer, model_size)) break;
+        if (!lattice__in_range(&finer) || !lattice_is_narrow(&finer, model_size)) break;
         *view = finer;
     }
     return 1;

@@ -77,6 +77,8 @@ const Lattice = (() => {
     // Orthonormal axes in voxel space; null when the sprite would have more than 2^24 pixels.
     function fromAxes(basis, sigma, size) {
         const fits = (view) => view.size[0] * view.size[1] <= maxPixels;
+        // As far as voxprite itself refines a view.
+        const inRange = ({ C, U, V }) => [...C, ...U, ...V].every((x) => Math.abs(x) <= 2 ** 28);
         const D = direction(basis.forward);
         let bits = 8;
         while (2 ** bits < 16 * sigma) ++bits;
@@ -84,7 +86,7 @@ const Lattice = (() => {
         if (!fits(view)) return null;
         while (view.bits < 12) {
             const finer = quantised(view.bits + 1, D, basis, sigma, size);
-            if (!fits(finer) || !isNarrow(finer, size)) break;
+            if (!fits(finer) || !inRange(finer) || !isNarrow(finer, size)) break;
             view = finer;
         }
         return view;

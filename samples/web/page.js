@@ -7,11 +7,12 @@ const Page = (() => {
     const canvas = at("scene");
     const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, depth: false });
     let file = null, entity = null, scene = null, stale = true, paused = false, turning = false;
-    let clipMilliseconds = 0, before = 0, held = null, still = "";
+    let clipMilliseconds = 0, before = 0, held = null, still = "", refused = false;
 
     function say(text, wrong = false) {
         at("said").textContent = text;
         at("said").classList.toggle("wrong", wrong);
+        refused = false;
     }
 
     function showFacts() {
@@ -93,8 +94,11 @@ const Page = (() => {
         const told = scene.draw(entity, shownModel(), sigma, width, height);
         if (told.refused) {
             say(told.refused, true);
+            refused = true;
             return;
         }
+        // What went wrong with a file stays until something else is said.
+        if (refused) say("");
         at("sigma-value").textContent = told.sigma === sigma ? `${sigma}` : `${sigma} (${told.sigma})`;
         at("model-value").textContent = `${Number(at("model").value) + 1} of ${entity.models.length}`;
         if (at("said").classList.contains("wrong")) return;
@@ -192,5 +196,5 @@ const Page = (() => {
     listen();
     draw();
     requestAnimationFrame(frame);
-    return { scene, open, gl };
+    return { scene, open, draw, gl };
 })();

@@ -101,7 +101,7 @@ TEST(LatticeHeader, ViewsAndLightAreVoxprites) {
     for (const glm::ivec3 size : {glm::ivec3(25, 20, 38), glm::ivec3(128), glm::ivec3(1, 2, 3),
                                   glm::ivec3(300, 200, 7), glm::ivec3(2000, 1, 9)}) {
         for (const OrbitAngles& angles : test::allKindsOfViews(30, 3)) {
-            for (const double sigma : {0.25, 1.0, 2.5, 4.0, 7.5}) {
+            for (const double sigma : {1.0 / 64.0, 1.0 / 32.0, 0.25, 1.0, 2.5, 4.0, 7.5}) {
                 const glm::dmat3 basis = orbitBasis(angles);
                 const OrthoView ortho{voxelFromWorld(basis[0]), voxelFromWorld(basis[1]),
                                       voxelFromWorld(basis[2]), sigma};
@@ -198,6 +198,36 @@ std::string drivenPage(const fs::path& jobs) {
     return page;
 }
 
+// Views by their axes, and the integers that core makes of them.
+json quantisedViews() {
+    const auto list = [](const auto& v) { return json::array({v.x, v.y, v.z}); };
+    json views = json::array();
+    const glm::ivec3 size(25, 20, 38);
+    for (const OrbitAngles& angles : test::allKindsOfViews(4, 3)) {
+        for (const double sigma : {1.0 / 64.0, 1.0 / 32.0, 0.25, 1.0, 7.5}) {
+            const glm::dmat3 basis = orbitBasis(angles);
+            const OrthoView ortho{voxelFromWorld(basis[0]), voxelFromWorld(basis[1]),
+                                  voxelFromWorld(basis[2]), sigma};
+            const LatticeView view = test::must(quantiseView(ortho, size));
+            views.push_back({{"basis",
+                              {{"right", list(ortho.right)},
+                               {"up", list(ortho.up)},
+                               {"forward", list(ortho.forward)}}},
+                             {"sigma", sigma},
+                             {"size", list(size)},
+                             {"lattice",
+                              {{"bits", {{"position", view.positionBits}}},
+                               {"C", list(view.C)},
+                               {"D", list(view.D)},
+                               {"U", list(view.U)},
+                               {"V", list(view.V)},
+                               {"first", {view.first.x, view.first.y}},
+                               {"size", {view.size.x, view.size.y}}}}});
+        }
+    }
+    return views;
+}
+
 // One start of Chromium for all of it.
 TEST(WebPage, SpritesAreVoxpritesByHashAndFilesAreReadOrRefused) {
     const test::TemporaryFolder folder;
@@ -215,6 +245,7 @@ TEST(WebPage, SpritesAreVoxpritesByHashAndFilesAreReadOrRefused) {
     for (const test::ConformanceFile& one : conformance) {
         jobs["conformance"].push_back({{"svo", base64(one.bytes)}, {"entry", one.entry}});
     }
+    jobs["views"] = quantisedViews();
     std::ofstream(folder / "jobs.js") << "const jobs = " << jobs.dump() << ";\n";
     std::ofstream(folder / "page.html") << drivenPage(folder / "jobs.js");
 
@@ -255,7 +286,8 @@ TEST(WebPage, SpritesAreVoxpritesByHashAndFilesAreReadOrRefused) {
     EXPECT_EQ(result["conformance"], json::array()) << "files that were not read, or not refused";
     EXPECT_EQ(result["conformed"], conformance.size());
     EXPECT_EQ(result["page"], json::array()) << "what the page did wrong";
-    EXPECT_EQ(result["page_checks"], 13);
+    EXPECT_EQ(result["page_checks"], 15);
+    EXPECT_EQ(result["views"], json::array());
 }
 
 TEST(WebPage, TheSampleInItIsTheExportedOne) {

@@ -257,6 +257,13 @@
         const file = Svo.read(oak.buffer), [entity] = file.entities;
         const told = scene.draw(entity, file.models[0], 2, 1280, 800);
         check(told.sigma === 2 && told.by === "gpu", "draws");
+        const refused = () => at("said").classList.contains("wrong");
+        scene.draw = () => ({ refused: "this view has too many pixels" });
+        Page.draw();
+        check(refused(), "says what it cannot draw");
+        delete scene.draw;
+        Page.draw();
+        check(!refused(), "and no longer when it can");
         // Every colour of the sprite shows, exactly.
         const { gl } = Page, seen = new Set(), words = new Uint8Array(4 * 1280 * 800);
         canvas.width = 1280;
@@ -277,10 +284,20 @@
         return { page: wrong, page_checks: checks };
     }
 
+    // Views whose integers are not those of core.
+    function quantisedOtherwise() {
+        return jobs.views.filter(({ basis, sigma, size, lattice }) => {
+            const view = Lattice.fromAxes(basis, sigma, size);
+            return Object.entries(Lattice.fromJson(lattice)).some(([key, value]) =>
+                JSON.stringify(view[key]) !== JSON.stringify(value));
+        });
+    }
+
     async function run() {
         const result = { sets: castJobs(new SpriteCaster(Page.gl)) };
         result.conformance = jobs.conformance.flatMap(faultsOf);
         result.conformed = jobs.conformance.length;
+        result.views = quantisedOtherwise();
         return Object.assign(result, await usePage());
     }
 
