@@ -45,7 +45,10 @@ Result<Bytes> saveVox(const SaveRequest& request) {
 Result<LoadedDocument> loadSvo(const FileSource& source) {
     const Result<SvoFile> file = readSvo(source.bytes, source.options.entity);
     if (!file) return Failure(file.error());
-    return LoadedDocument{.document = documentFromSvo(*file)};
+    LoadedDocument loaded{.document = documentFromSvo(*file)};
+    // At the very edge of what the file may say a document's models have no room to be moved.
+    if (Status s = validate(loaded.document); !s) return Failure(s.error());
+    return loaded;
 }
 
 Result<Bytes> saveSvo(const SaveRequest& request) {
@@ -212,7 +215,8 @@ constexpr std::array kFormats{
                .title = "MagicaVoxel",
                .load = loadVox,
                .save = saveVox,
-               .holds = kVoxHolds},
+               .holds = kVoxHolds,
+               .losses = voxLosses},
     FormatInfo{.format = Format::svo,
                .name = "svo",
                .ending = ".svo",

@@ -55,6 +55,21 @@ TEST(Formats, WhatAFormatCannotHoldIsSaid) {
     }
 }
 
+// A file may say so, a document may not: placements and models have to stay within 2^24 together.
+TEST(Formats, AnOctreeAtTheEdgeOfTheCoordinatesIsRefused) {
+    const test::TemporaryFolder folder;
+    SvoFile file = bakeForExport(test::documentOf(test::figure()), GameProfile{}).value();
+    for (SvoModel& model : file.models)
+        model.octree.origin = glm::ivec3(kMaxCoordinate - 100, 0, 0);
+    ASSERT_TRUE(writeFileAtomically(folder / "in.svo", writeSvo(file).value()));
+    EXPECT_TRUE(loadDocument(folder / "in.svo"));
+    for (SvoModel& model : file.models) model.octree.origin.x = kMaxCoordinate - 20;
+    ASSERT_TRUE(writeFileAtomically(folder / "edge.svo", writeSvo(file).value()));
+    const auto refused = loadDocument(folder / "edge.svo");
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("reach beyond"), std::string::npos);
+}
+
 TEST(Formats, EveryFormatKeepsTheVoxels) {
     const test::TemporaryFolder folder;
     const Document document = test::busyDocument();
