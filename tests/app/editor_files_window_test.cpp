@@ -83,7 +83,7 @@ TEST_F(FilesInAWindow, TheGameProfileIsAskedAboutAtTheEnd) {
         await(dialog, [&](const Json& now) { return now.at("state").at("dialog") == dialog; });
     };
     ASSERT_NO_FATAL_FAILURE(open(documentOf(figure())));
-    click(centreOf("inspector.mode.1"));
+    click(centreOf("inspector.outline"));
     ASSERT_NO_FATAL_FAILURE(
         await("the step", [](const Json& now) { return now.at("state").at("unsaved"); }));
     key("ctrl+s");
@@ -113,7 +113,7 @@ TEST_F(FilesInAWindow, TheGameProfileIsAskedAboutAtTheEnd) {
     name(file("game.json").string());
     click(centreOf("browser.accept"));
     EXPECT_EQ(editor().wait(), 0) << said();
-    EXPECT_EQ(must(readProfileFile(file("game.json"))).mode, SpriteMode::singlePass);
+    EXPECT_FALSE(must(readProfileFile(file("game.json"))).outline.enabled);
 }
 
 // Another folder: the way that was chosen stays, and the folder above is the one above.
