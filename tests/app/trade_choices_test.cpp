@@ -60,30 +60,39 @@ TEST_F(TradeChoices, ABudgetSaysTheErrorThatItChoseBy) {
 
 // The virtual pixels of its own sigma would be smaller than the screen's.
 TEST_F(TradeChoices, WhatIsDrawnAtAnotherSigmaSaysSo) {
-    const ProgramResult result =
-        run(quickly({model(), "-o", file("report"), "--markdown"}, "sigma"));
+    const std::string large = file("large.vox");
+    ASSERT_TRUE(saveDocument(large, documentOf(solidBox({80, 80, 20})), GameProfile{}));
+    const ProgramResult result = run(quickly({large, "-o", file("report"), "--markdown"}, "sigma"));
     ASSERT_EQ(result.status, 0) << result.err;
-    EXPECT_NE(result.out.find("as the game has it, drawn at sigma 2 |"), std::string::npos)
+    EXPECT_NE(result.out.find("as the game has it, drawn at sigma 1 |"), std::string::npos)
         << result.out;
-    EXPECT_NE(contentOf(file("report") + "/report.html").find("sigma 8, drawn at sigma 2<"),
+    EXPECT_NE(contentOf(file("report") + "/report.html").find("sigma 8, drawn at sigma 1<"),
               std::string::npos);
 }
 
 // A setting that cannot be drawn takes neither the others away nor the models after it.
 TEST_F(TradeChoices, WhatCannotBeDrawnIsLeftOutAndNoted) {
-    Document tiny = documentOf(solidBox({2, 2, 2}));
-    tiny.entity.scale = 16.0;  // sigma 8 would be 128 virtual pixels a voxel
+    VoxelGrid apart;
+    apart.set({0, 0, 0}, 1);
+    apart.set({255, 255, 255}, 2);
+    Document wide = documentOf(apart);
+    wide.entity.scale = 2.0;  // at sigma 8 no buffer holds it
     GameProfile profile;
     profile.sigma = 1.0;
     profile.minification = false;
-    ASSERT_TRUE(saveDocument(file("tiny.voxprite"), tiny, profile));
+    ASSERT_TRUE(saveDocument(file("wide.voxprite"), wide, profile));
+    ASSERT_TRUE(writeProfileFile(file("game.json"), profile));
+    std::ofstream(file("way.json"))
+        << R"({"voxprite_way": 1, "frames": [{"yaw": 10, "pitch": 20}, {"yaw": 12, "pitch": 20}]})";
     const std::string folder = file("report");
     const ProgramResult result =
-        run(quickly({file("tiny.voxprite"), model(), "-o", folder, "--json"}, "sigma"));
+        run(quickly({file("wide.voxprite"), model(), "-o", folder, "--profile", file("game.json"),
+                     "--way", file("way.json"), "--json"},
+                    "sigma"));
     ASSERT_EQ(result.status, 0) << result.err;
     const nlohmann::json warnings = result.json().at("warnings");
     ASSERT_EQ(warnings.size(), 1u) << warnings;
-    EXPECT_NE(warnings[0].get<std::string>().find("tiny, sigma 8: "), std::string::npos);
+    EXPECT_NE(warnings[0].get<std::string>().find("wide, sigma 8: "), std::string::npos);
     const nlohmann::json models = reportIn(folder).at("models");
     ASSERT_EQ(models.size(), 2u);
     EXPECT_EQ(models[0].at("skipped").at(0).at("name"), "sigma 8");
