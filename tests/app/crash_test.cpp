@@ -35,6 +35,7 @@ struct LastWords {
     std::uint64_t edited = 0;
     std::uint64_t saved = 0;
     std::uint64_t copied = 0;  // since it was saved
+    int grown = 0;             // how often a copy took the place of a smaller one since then
     std::map<std::uint64_t, long long> millisecondsOf;
 };
 
@@ -55,6 +56,7 @@ LastWords parse(const std::string& text) {
             words.saved = edits;
             words.copied = 0;
         } else if (what == 'c') {
+            if (words.copied > 0 && edits > words.copied) ++words.grown;
             words.copied = edits;
         }
     }
@@ -116,13 +118,14 @@ TEST(Crash, AKilledEditorLosesSecondsAtMost) {
     const test::TemporaryFolder folder;
     const fs::path document = folder.path() / "work.voxprite";
     std::mt19937 random(2026);
-    int recovered = 0, savedFiles = 0;
+    int recovered = 0, savedFiles = 0, grown = 0;
     long long worstMilliseconds = 0;
     for (int kill = 0; kill < kills && !HasFailure(); ++kill) {
         SCOPED_TRACE("kill " + std::to_string(kill));
         const fs::path recovery = folder.path() / ("recovery" + std::to_string(kill));
         const LastWords words = runAndKill(recovery, document, static_cast<unsigned>(random()),
                                            std::chrono::milliseconds(random() % 900));
+        grown += words.grown;
         // Everything of it that is on the disk under the document's name is whole.
         std::uint64_t kept = 0;
         if (fs::exists(document)) {
@@ -151,6 +154,7 @@ TEST(Crash, AKilledEditorLosesSecondsAtMost) {
     }
     EXPECT_GT(recovered, 0);
     EXPECT_GT(savedFiles, 0);
+    EXPECT_GT(grown, 0) << "one copy, and never a newer one";
     std::cout << kills << " kills: " << recovered << " copies recovered, " << savedFiles
               << " saved files whole, at most " << worstMilliseconds << " ms of work lost\n";
 }

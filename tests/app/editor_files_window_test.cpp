@@ -23,7 +23,7 @@ class FilesInAWindow : public EditorWindow {
         await("the model", [](const Json& now) { return now.at("state").at("voxels") > 0; });
     }
     void name(const std::string& path) {
-        static_cast<void>(centreOf("browser.name"));
+        click(centreOf("browser.name"));
         key("ctrl+a");
         type(path);
     }

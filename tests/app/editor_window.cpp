@@ -92,13 +92,20 @@ void EditorWindow::await(const std::string& what,
 
 glm::ivec2 EditorWindow::centreOf(const std::string& item) {
     await("widget " + item, [&](const auto& now) { return now.at("items").contains(item); });
+    if (HasFatalFailure()) return {0, 0};
     // A window that has just opened may still find its size: take what two looks agree about.
     std::vector<double> rect, before;
     do {
         before = rect;
         std::this_thread::sleep_for(10 * kBetweenLooks);
         const nlohmann::json all = layout();
-        if (!all.is_object() || !all.at("items").contains(item)) continue;
+        // A dead editor's last words do not change.
+        if (!all.is_object() || !all.at("items").contains(item)) {
+            await("widget " + item,
+                  [&](const auto& now) { return now.at("items").contains(item); });
+            if (HasFatalFailure()) return {0, 0};
+            continue;
+        }
         rect = all.at("items").at(item).get<std::vector<double>>();
     } while (rect.empty() || rect != before);
     return {static_cast<int>((rect[0] + rect[2]) / 2), static_cast<int>((rect[1] + rect[3]) / 2)};
