@@ -177,23 +177,31 @@ TEST_F(CrowdMemory, AHistoryThatWasTakenAwayIsBegunAnew) {
     history = {};
     EXPECT_EQ(mismatches(draw(scene, view, profile).colour, first), 0U);
     EXPECT_EQ(history.snappedSteps, steps);
-    // And one that says otherwise is followed: the band of hysteresis holds a neighbouring step.
+    // And one that says otherwise is followed: near the middle between two steps the band of
+    // hysteresis holds the neighbour.
     bool followed = false;
-    for (int axis = 0; axis < 2 && !followed; ++axis) {
+    for (double pitch = 20.0; pitch < 25.0 && !followed; pitch += 0.5) {
+        const Camera between = camera(12.0, pitch, 9.0);
+        history = {};
+        (void)draw(scene, between, profile);
+        ASSERT_TRUE(history.snappedSteps);
+        const glm::ivec3 nearest = *history.snappedSteps;
         for (const int side : {-1, 1}) {
-            history.snappedSteps = steps;
-            (*history.snappedSteps)[axis] += side;
-            (void)draw(scene, view, profile);
+            const glm::ivec3 neighbour = nearest + glm::ivec3(0, side, 0);
+            history.snappedSteps = neighbour;
+            const Image shown = draw(scene, between, profile).colour;
+            if (history.snappedSteps == nearest) continue;
+            followed = true;
+            EXPECT_EQ(history.snappedSteps, neighbour);
             SceneRenderer fresh = must(SceneRenderer::create());
             ViewHistory other;
-            other.snappedSteps = steps;
-            (*other.snappedSteps)[axis] += side;
+            other.snappedSteps = neighbour;
             Scene same = scene;
             same.entities[2].history = &other;
-            Frame frame(view.viewportPx);
-            (void)must(fresh.draw(frame, same, view, profile, SpriteMode::spriteBuffer));
-            EXPECT_EQ(history.snappedSteps, other.snappedSteps);
-            followed = followed || *history.snappedSteps != steps;
+            Frame frame(between.viewportPx);
+            (void)must(fresh.draw(frame, same, between, profile, SpriteMode::spriteBuffer));
+            EXPECT_EQ(other.snappedSteps, neighbour);
+            EXPECT_EQ(mismatches(shown, frame.readColour()), 0U);
         }
     }
     EXPECT_TRUE(followed);
