@@ -34,6 +34,7 @@ class ToolsInAWindow : public EditorWindow {
         const Result<LoadedDocument> loaded = loadDocument(file("a.voxprite"));
         ASSERT_TRUE(loaded);
         document = loaded->document;
+        expectedAnchor = document.entity.anchorVoxels;
         ASSERT_NO_FATAL_FAILURE(startEditor({file("a.voxprite").string()}));
         await("the box",
               [](const Json& now) { return now.at("state").at("voxels") == 13 * 11 * 8; });
@@ -118,14 +119,17 @@ class ToolsInAWindow : public EditorWindow {
               [](const Json& now) { return now.at("state").at("unsaved") == false; });
         // Files are written in the background.
         VoxelGrid found;
+        std::optional<glm::dvec3> anchor;
         for (int look = 0; look < 400; ++look) {
             const Result<LoadedDocument> loaded = loadDocument(file("a.voxprite"));
             ASSERT_TRUE(loaded) << loaded.error().describe();
             found = flatten(loaded->document, 0);
-            if (found == expected) return;
+            anchor = loaded->document.entity.anchorVoxels;
+            if (found == expected && anchor == expectedAnchor) return;
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         }
         EXPECT_EQ(found, expected) << what;
+        EXPECT_EQ(anchor, expectedAnchor) << what;
     }
     void undoStep() {
         key("ctrl+z");
@@ -135,6 +139,7 @@ class ToolsInAWindow : public EditorWindow {
 
     Document document;
     VoxelGrid expected;
+    std::optional<glm::dvec3> expectedAnchor;
     glm::ivec2 middle{0};
     std::map<std::pair<int, int>, glm::ivec2> places;  // where columns were found
     std::uint8_t colour = 0;
@@ -314,10 +319,12 @@ TEST_F(ToolsInAWindow, EveryToolDoesWhatWasComputedAndIsUndone) {
     // --- the anchor, which is no voxel
     key("a");
     clickVoxel(3, 3);
+    expectedAnchor = {3.5, 3.5, kTop + 0.5};
     ASSERT_NO_FATAL_FAILURE(expectMade("anchor"));
 
     while (steps > 0) undoStep();
     expected = start;
+    expectedAnchor = document.entity.anchorVoxels;
     ASSERT_NO_FATAL_FAILURE(expectSaved("the end"));
     key("ctrl+q");  // nothing is unsaved, so that it ends at once, when the file is whole
     ASSERT_EQ(editor().wait(), 0) << said();
