@@ -88,7 +88,7 @@ TEST_F(Bench, CrowdsAreOneDrawAndCastOnlyWhatIsNew) {
     ASSERT_EQ(result.status, 0) << result.err;
     std::set<std::tuple<std::string, std::string, std::string>> ways;
     int oneSprite = 0;
-    bool tenThousand = false;
+    std::map<int, int> drawnOf;  // ways, by how many entities
     const Json report = result.json();
     for (const Json& figure : report.at("frame")) {
         const std::string scene = figure.at("scene").get<std::string>();
@@ -101,11 +101,14 @@ TEST_F(Bench, CrowdsAreOneDrawAndCastOnlyWhatIsNew) {
         const std::string view = figure.at("view").get<std::string>();
         const std::string camera = figure.at("camera").get<std::string>();
         ways.insert({mode, view, camera});
+        const int entities = figure.at("entities").get<int>();
         if (figure.at("ms").is_null()) {
+            // A slow machine leaves out large crowds alone.
+            EXPECT_GT(entities, 100) << figure;
             EXPECT_FALSE(figure.at("skipped").get<std::string>().empty());
             continue;
         }
-        const int entities = figure.at("entities").get<int>();
+        ++drawnOf[entities];
         const int drawn = figure.at("drawn").get<int>();
         EXPECT_LE(drawn, entities);
         EXPECT_GE(drawn, entities * 9 / 10);
@@ -124,11 +127,11 @@ TEST_F(Bench, CrowdsAreOneDrawAndCastOnlyWhatIsNew) {
         if (view == "camera_forward") {
             EXPECT_LE(figure.at("firstCasts"), std::min(entities, kMostDistinct)) << figure;
         }
-        tenThousand = tenThousand || entities == 10'000;
     }
     EXPECT_EQ(ways.size(), 2u * 2u * 2u + 2u);  // the rival knows one view
     EXPECT_EQ(oneSprite, 4);
-    EXPECT_TRUE(tenThousand);
+    // With a view step, too, when the camera moves.
+    for (const int entities : {1, 10, 100}) EXPECT_EQ(drawnOf[entities], 12) << entities;
 }
 
 // Each kind of shade alone changes a part of the pixels, and both together at least as many.
