@@ -114,14 +114,14 @@ TEST_F(PaletteInAWindow, ManyAreChangedAtOnce) {
     awaitState("steps", 2);
     const std::array<std::uint8_t, 4> ramp{30, 31, 32, 33};
     expected = withGradient(expected, std::nullopt, ramp);
-    click(swatch(50));
-    awaitState("colour", 50);
-    clickWith("shift", swatch(53));
+    click(swatch(3));
+    awaitState("colour", 3);
+    clickWith("shift", swatch(6));
     click(centreOf("palette.sort"));
-    click(centreOf("palette.sort_by_lightness"));
+    click(centreOf("palette.sort_by_use"));  // all voxels have the colour 5
     awaitState("steps", 3);
-    const std::array<std::uint8_t, 4> sorted{50, 51, 52, 53};
-    expected = withOrder(expected, sorted, PaletteOrder::lightness, counts);
+    const std::array<std::uint8_t, 4> sorted{3, 4, 5, 6};
+    expected = withOrder(expected, sorted, PaletteOrder::use, counts);
     click(swatch(40));
     awaitState("colour", 40);
     const std::optional<std::uint8_t> copy = freeIndex(expected, counts);
