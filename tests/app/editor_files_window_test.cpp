@@ -100,6 +100,8 @@ TEST_F(FilesInAWindow, TheGameProfileIsAskedAboutAtTheEnd) {
     // Not to be saved after all is not to end, nor to end by the next save.
     key("Escape");
     ASSERT_NO_FATAL_FAILURE(awaitDialog(""));
+    // It has the keys until the frame after.
+    for (const int x : {300, 301, 302}) settleAt({x, 500});
     key("ctrl+s");
     ASSERT_NO_FATAL_FAILURE(awaitDialog("browser"));
     name(file("new.voxprite").string());
