@@ -61,6 +61,7 @@ TEST(Formats, AnOctreeAtTheEdgeOfTheCoordinatesIsRefused) {
     SvoFile file = bakeForExport(test::documentOf(test::figure()), GameProfile{}).value();
     for (SvoModel& model : file.models)
         model.octree.origin = glm::ivec3(kMaxCoordinate - 100, 0, 0);
+    file.anchor = glm::dvec3(-1e7, 0, 0);  // from the corner: within 1e7 of the origin
     ASSERT_TRUE(writeFileAtomically(folder / "in.svo", writeSvo(file).value()));
     EXPECT_TRUE(loadDocument(folder / "in.svo"));
     for (SvoModel& model : file.models) model.octree.origin.x = kMaxCoordinate - 20;
