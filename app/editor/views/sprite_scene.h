@@ -38,8 +38,8 @@ class SpriteScene {
                              const ViewSettings& view, const GameProfile& profile,
                              std::span<ViewHistory> histories);
 
-    // The models of that scene that have voxels, for what they can be drawn by. `session` and `edited` are read as
-    // long as the sources are used.
+    // The models of that scene that have voxels, for what they can be drawn by. `session` and
+    // `edited` are read as long as the sources are used.
     [[nodiscard]] std::vector<LevelSource> levelSources(const Session& session,
                                                         const GpuOctree& edited) const;
 
