@@ -92,26 +92,27 @@ Json modelJson(const Model& model, const VoxelEntry& entry) {
 }
 
 Json nodeJson(const SceneNode& node) {
-    return {{"name", textJson(node.name)},
-            {"hidden", node.hidden},
-            {"locked", node.locked},
-            {"layer", node.layer},
-            {"parent", node.parent},
-            {"children", node.children},
-            {"placements", listJson(node.placements,
-                                    [](const PlacementKey& key) {
-                                        Json json = placementJson(key.placement);
-                                        json["frame"] = key.frame;
-                                        return json;
-                                    })},
-            {"models", listJson(node.models,
-                                [](const ModelKey& key) -> Json {
-                                    return {{"frame", key.frame}, {"model", key.model}};
-                                })},
-            {"glides", node.glides},
-            {"loopPlacements", node.loopPlacements},
-            {"loopModels", node.loopModels},
-            {"attributes", propertiesJson(node.attributes)}};
+    Json written{{"name", textJson(node.name)},
+                 {"hidden", node.hidden},
+                 {"locked", node.locked},
+                 {"layer", node.layer},
+                 {"parent", node.parent},
+                 {"children", node.children},
+                 {"placements", listJson(node.placements,
+                                         [](const PlacementKey& key) {
+                                             Json json = placementJson(key.placement);
+                                             json["frame"] = key.frame;
+                                             return json;
+                                         })},
+                 {"models", listJson(node.models,
+                                     [](const ModelKey& key) -> Json {
+                                         return {{"frame", key.frame}, {"model", key.model}};
+                                     })},
+                 {"loopPlacements", node.loopPlacements},
+                 {"loopModels", node.loopModels},
+                 {"attributes", propertiesJson(node.attributes)}};
+    if (node.glides) written["glides"] = true;
+    return written;
 }
 
 Json layerJson(const Layer& layer) {

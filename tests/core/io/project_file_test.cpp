@@ -60,6 +60,7 @@ Document fullDocument() {
     mirrored.placements = {{0, {{{1, 2, 0}, {-1, 1, -1}}, {5, -6, 7}}},
                            {9, {{{2, 0, 1}, {1, -1, 1}}, {-1000, 0, 1000}}}};
     mirrored.loopPlacements = true;
+    mirrored.glides = true;
     document.nodes = {root, group, object, mirrored};
 
     document.layers = {{"back", false, {}}, {"front", true, {{"_color", "255 0 0"}}}};
