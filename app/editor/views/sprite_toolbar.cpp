@@ -40,16 +40,28 @@ void drawPictureScale(Ui& ui, float size) {
     ImGui::EndPopup();
 }
 
-void drawButtons(Ui& ui, const ViewCanvas& canvas) {
-    using enum CommandId;
-    const Theme& theme = ui.theme;
-    constexpr std::array kCommands{toggleHeat, flipSides,   wipeSides,
-                                   compareTwo, compareFour, compareRepresentations,
-                                   saveSprite, copySprite};
-    const float size = theme.px(kButton), gap = theme.px(1), pad = theme.px(3);
-    const float width = (size + gap) * static_cast<float>(kCommands.size()) + size + theme.px(4);
+constexpr std::array kCommands{CommandId::toggleHeat,  CommandId::flipSides,
+                               CommandId::wipeSides,   CommandId::compareTwo,
+                               CommandId::compareFour, CommandId::compareRepresentations,
+                               CommandId::saveSprite,  CommandId::copySprite};
+constexpr float kGap = 1.0f, kPad = 3.0f;
+
+float widthOfButtons(const Theme& theme) {
+    const float size = theme.px(kButton);
+    return (size + theme.px(kGap)) * static_cast<float>(kCommands.size()) + size + theme.px(4);
+}
+
+ImVec2 cornerOfButtons(const Theme& theme, const ViewCanvas& canvas) {
     const ImVec2 corner = canvas.toWindow({canvas.sizePx().x, 0});
-    ImGui::SetCursorScreenPos({corner.x - width - 2 * pad - theme.px(10), corner.y + theme.px(8)});
+    return {corner.x - widthOfButtons(theme) - 2 * theme.px(kPad) - theme.px(10),
+            corner.y + theme.px(8)};
+}
+
+void drawButtons(Ui& ui, const ViewCanvas& canvas) {
+    const Theme& theme = ui.theme;
+    const float size = theme.px(kButton), gap = theme.px(kGap), pad = theme.px(kPad);
+    const float width = widthOfButtons(theme);
+    ImGui::SetCursorScreenPos(cornerOfButtons(theme, canvas));
     ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, theme.px(8));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
     ImGui::PushStyleColor(ImGuiCol_ChildBg, withAlpha(theme.panel, 0.9f));
@@ -122,6 +134,10 @@ void drawLegend(Ui& ui, const ViewCanvas& canvas) {
 }
 
 }  // namespace
+
+float leftOfSpriteToolbar(const Theme& theme, const ViewCanvas& canvas) {
+    return cornerOfButtons(theme, canvas).x - theme.px(8);
+}
 
 void drawSpriteToolbar(Ui& ui, const ViewCanvas& canvas) {
     drawFigures(ui, canvas);

@@ -8,5 +8,7 @@ namespace voxprite::editor {
 
 // Between the canvas' begin() and end().
 void drawSpriteToolbar(Ui& ui, const ViewCanvas& canvas);
+// Where it begins, in the window, with a gap before it.
+[[nodiscard]] float leftOfSpriteToolbar(const Theme& theme, const ViewCanvas& canvas);
 
 }  // namespace voxprite::editor

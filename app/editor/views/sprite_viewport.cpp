@@ -172,7 +172,7 @@ void SpriteViewport::showAlone(Ui& ui, ViewInput& input) {
 
     // In the first frame of all the camera does not know yet where it belongs.
     if (drawnAt_ == std::chrono::steady_clock::time_point()) {
-        return canvas_.caption(ui, "Sprite", "");
+        return canvas_.caption(ui, "Sprite", "", leftOfSpriteToolbar(ui.theme, canvas_));
     }
     const Camera camera = camera_.camera(input.sizePx);
     if (ui.settings.trade.heat) heat_->show(ui, canvas_, input.pointerPx);
@@ -185,10 +185,11 @@ void SpriteViewport::showAlone(Ui& ui, ViewInput& input) {
     drawSocketsOverSprite(ui, ViewDrawing(canvas_, camera), camera, history(ui.settings.scene));
     std::array<char, 64> detail{};
     if (stats().drawn > 0) {
-        std::snprintf(detail.data(), detail.size(), "σ %.4g   %.1f px a vpx", stats().sigmaInForce,
-                      stats().screenPxPerPx);
+        // What belongs together is joined by unbreakable blanks.
+        std::snprintf(detail.data(), detail.size(), "σ\u00a0%.4g   %.1f\u00a0px\u00a0a\u00a0vpx",
+                      stats().sigmaInForce, stats().screenPxPerPx);
     }
-    canvas_.caption(ui, "Sprite", detail.data());
+    canvas_.caption(ui, "Sprite", detail.data(), leftOfSpriteToolbar(ui.theme, canvas_));
 }
 
 void SpriteViewport::useGizmo(Ui& ui, const ViewInput& input, const Camera& camera) {

@@ -159,15 +159,19 @@ void ViewCanvas::drawViewCube(Ui& ui, const OrbitCamera& camera) const {
     editor::drawViewCube(ui.theme, overlay(), cubeMiddle(ui.theme), camera, cubeLit_);
 }
 
-void ViewCanvas::caption(Ui& ui, const std::string& title, const std::string& whole) {
+float ViewCanvas::beforeViewCube(const Theme& theme) const {
+    return cubeMiddle(theme).x - theme.px(kViewCubeRadius + 8);
+}
+
+void ViewCanvas::caption(Ui& ui, const std::string& title, const std::string& whole, float endX) {
     const Theme& theme = ui.theme;
     ImFont* bold = theme.fonts.bold;
     ImFont* small = theme.fonts.small;
     const ImVec2 at(corner_.x + theme.px(12), corner_.y + theme.px(10));
     const float titleWidth = bold->CalcTextSizeA(bold->FontSize, FLT_MAX, 0, title.c_str()).x;
     const float gap = theme.px(8);
-    // It ends before the view cube.
-    const float room = cubeMiddle(theme).x - theme.px(kViewCubeRadius + 8) - at.x;
+    const float room = endX - at.x;
+    if (titleWidth + theme.px(20) > room) return;
     std::string detail = whole;
     const auto widthOf = [&] {
         return small->CalcTextSizeA(small->FontSize, FLT_MAX, 0, detail.c_str()).x;
@@ -177,6 +181,10 @@ void ViewCanvas::caption(Ui& ui, const std::string& title, const std::string& wh
            detail.find(' ') != detail.npos) {
         detail = detail.substr(0, detail.rfind(' '));
         detailWidth = widthOf();
+    }
+    if (titleWidth + gap + detailWidth + theme.px(20) > room) {
+        detail.clear();
+        detailWidth = -gap;
     }
     const ImVec2 max(at.x + titleWidth + gap + detailWidth + theme.px(20), at.y + theme.px(26));
     overlay().AddRectFilled(at, max, IM_COL32(16, 17, 19, 150), theme.px(6));

@@ -51,7 +51,9 @@ class ViewCanvas {
     [[nodiscard]] ImVec2 toWindow(glm::dvec2 viewPx) const {
         return {corner_.x + static_cast<float>(viewPx.x), corner_.y + static_cast<float>(viewPx.y)};
     }
-    void caption(Ui& ui, const std::string& title, const std::string& detail);
+    // Ends before `endX` in the window: with as much of the detail as fits, or without the title.
+    void caption(Ui& ui, const std::string& title, const std::string& detail, float endX);
+    [[nodiscard]] float beforeViewCube(const Theme& theme) const;
     // The cube in the corner takes what the mouse does over it out of `input`.
     void useViewCube(Ui& ui, ViewInput& input, OrbitCamera& camera, CameraTurn& turn);
     void drawViewCube(Ui& ui, const OrbitCamera& camera) const;

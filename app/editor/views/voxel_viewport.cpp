@@ -112,7 +112,7 @@ void VoxelViewport::show(Ui& ui, ImVec2 min, ImVec2 size, bool edits, std::strin
     std::string hint = hintOf(ui.settings.tool, context.mode(), tools_.busy());
     const auto& floating = ui.session.selection().floating();
     if (floating) hint = floating->label + ": Enter to keep, Esc to drop";
-    canvas_.caption(ui, "Edit", hint);
+    canvas_.caption(ui, "Edit", hint, canvas_.beforeViewCube(ui.theme));
     canvas_.end();
 }
 
