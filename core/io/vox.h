@@ -18,7 +18,9 @@
 // Animation   _f of a transform's frames and of a shape's models are the keys' frames (an entry
 //             without one: its position in the list). Objects glide from key to key and turn at
 //             them, models change at their keys; _loop "1" repeats the track from its first key to
-//             its last. Tracks that hold still until the next key are written with a key more.
+//             its last (so has it ogt_vox, github.com/jpaver/opengametools, which cuts places
+//             between toward zero; here they are rounded down). Tracks that hold still until the
+//             next key are written with a key more.
 // Layers      by their id; ids that are missing become blank layers.
 // Colours     RGBA entry i is colour i + 1. A short chunk fills the colours that it has; none means
 //             the default palette. IMAP entry k is the colour shown in slot k + 1: it becomes
