@@ -108,6 +108,7 @@ Destination destinationOf(const std::filesystem::path& requested) {
     constexpr int kMaxLinks = 40;
     Destination to{requested};
     std::error_code error;
+    if (!std::filesystem::is_symlink(requested, error)) return to;
     const std::filesystem::path descriptors = std::filesystem::canonical("/proc/self/fd", error);
     for (int k = 0; k < kMaxLinks && std::filesystem::is_symlink(to.path, error); ++k) {
         const std::filesystem::path folder = std::filesystem::canonical(folderOf(to.path), error);
