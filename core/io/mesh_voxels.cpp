@@ -131,7 +131,7 @@ struct ColouredBlock {
 class Voxeliser {
   public:
     Voxeliser(const TriangleMesh& mesh, glm::ivec3 size, bool solid, InsideCells inside,
-              SurfaceBand band)
+              std::unique_ptr<NearestTriangles> band)
         : mesh_(mesh),
           size_(size),
           solid_(solid),
@@ -159,7 +159,7 @@ class Voxeliser {
     [[nodiscard]] ColouredBlock blockAt(glm::ivec3 origin) const {
         ColouredBlock block;
         block.origin = origin;
-        const std::int32_t* near = band_.blockAt(origin);
+        const std::int32_t* near = band_->blockAt(origin);
         if (near == nullptr) {
             const int inside = insideCount(origin);
             if (inside == 0) return block;
@@ -276,7 +276,7 @@ class Voxeliser {
     bool solid_;
     bool closed_;
     CellMask inside_;
-    SurfaceBand band_;
+    std::unique_ptr<NearestTriangles> band_;
     NearestTriangle tree_;
 };
 
@@ -377,7 +377,7 @@ Result<LoadedDocument> voxelsOf(TriangleMesh mesh, const MeshReadOptions& option
             inside.cells = std::move(*flooded);
         }
     }
-    Result<SurfaceBand> band = SurfaceBand::of(mesh.triangles);
+    Result<std::unique_ptr<NearestTriangles>> band = surfaceBand(mesh.triangles);
     if (!band) return Failure(band.error());
     Voxeliser voxeliser(mesh, frame->size, options.solid, std::move(inside), std::move(*band));
     setBlocks(voxeliser.run(options.threads), loaded);

@@ -73,6 +73,6 @@ struct Visit {
 [[nodiscard]] Status walk(const Grid& grid, ByteReader& reader, const Visit& visit);
 
 // Blosc data that stands for exactly `bytes` bytes.
-[[nodiscard]] bool unpackBlosc(ByteView packed, std::span<std::uint8_t> bytes);
+[[nodiscard]] Status unpackBlosc(ByteView packed, std::span<std::uint8_t> bytes);
 
 }  // namespace voxprite::vdb

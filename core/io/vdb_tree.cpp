@@ -296,12 +296,14 @@ class Walk {
             return {};
         }
         unpacked_.assign(bytes, 0);
+        if ((packing_ & kBlosc) != 0) {
+            const Status whole = unpackBlosc(*data, unpacked_);
+            return whole ? whole : failAtByte(offset, whole.error().message);
+        }
         auto size = static_cast<uLongf>(bytes);
-        const bool whole = (packing_ & kBlosc) != 0
-                               ? unpackBlosc(*data, unpacked_)
-                               : uncompress(unpacked_.data(), &size, data->data(),
-                                            static_cast<uLong>(data->size())) == Z_OK &&
-                                     size == bytes;
+        const bool whole = uncompress(unpacked_.data(), &size, data->data(),
+                                      static_cast<uLong>(data->size())) == Z_OK &&
+                           size == bytes;
         if (!whole) return failAtByte(offset, "a node's packed values are damaged");
         return {};
     }

@@ -1,31 +1,25 @@
-#include <openvdb/io/Compression.h>
-
-#include <cstring>
-#include <sstream>
-
 #include "core/io/vdb_file.h"
+#include "core/volume/volume_library.h"
 
 namespace voxprite::vdb {
 
-bool unpackBlosc(ByteView packed, std::span<std::uint8_t> bytes) {
+Status unpackBlosc(ByteView packed, std::span<std::uint8_t> bytes) {
     // The header of a Blosc chunk: bytes 4 ... 7 are the unpacked length, 12 ... 15 the packed one.
     constexpr std::size_t kHeader = 16;
-    if (packed.size() < kHeader) return false;
+    const auto damaged = [] { return fail("a node's packed values are damaged"); };
+    if (packed.size() < kHeader) return damaged();
     ByteReader header(packed.subspan(4));
     const std::uint32_t unpacked = header.u32("").value_or(0);
     static_cast<void>(header.u32(""));
-    if (unpacked != bytes.size() || header.u32("").value_or(0) != packed.size()) return false;
-    const auto length = static_cast<std::int64_t>(packed.size());
-    std::string text(sizeof length + packed.size(), '\0');
-    std::memcpy(text.data(), &length, sizeof length);
-    std::memcpy(text.data() + sizeof length, packed.data(), packed.size());
-    std::istringstream stream(text);
+    if (unpacked != bytes.size() || header.u32("").value_or(0) != packed.size()) return damaged();
+    const Result<const VolumeLibrary*> library = volumeLibrary();
+    if (!library) return Failure(library.error());
     try {
-        openvdb::io::bloscFromStream(stream, reinterpret_cast<char*>(bytes.data()), bytes.size());
+        (*library)->unpackBlosc(packed, bytes);
     } catch (const std::exception&) {
-        return false;
+        return damaged();
     }
-    return true;
+    return {};
 }
 
 }  // namespace voxprite::vdb

@@ -1,13 +1,11 @@
-#include <openvdb/io/Stream.h>
-#include <openvdb/openvdb.h>
-
 #include <algorithm>
-#include <sstream>
+#include <exception>
 
 #include "core/base/hash.h"
 #include "core/io/project_json.h"
 #include "core/io/vdb.h"
 #include "core/model/entity_voxels.h"
+#include "core/volume/volume_library.h"
 
 namespace voxprite {
 namespace {
@@ -15,33 +13,23 @@ namespace {
 constexpr std::size_t kIdentityAt = 21;  // in the file
 constexpr std::size_t kIdentityLength = 36;
 
-openvdb::Coord coord(glm::ivec3 v) {
-    return {v.x, v.y, v.z};
-}
-
-openvdb::Int32Grid::Ptr gridOf(const Document& document, const Instance& instance,
-                               double voxelSizeMetres) {
-    const auto grid = openvdb::Int32Grid::create(0);
-    openvdb::Int32Grid::Accessor accessor = grid->getAccessor();
+void addGrid(VdbWriter& writer, const Document& document, const Instance& instance,
+             double voxelSizeMetres) {
+    writer.beginGrid(document.nodes[static_cast<std::size_t>(instance.node)].name, voxelSizeMetres);
     const VoxelGrid& voxels = document.models[static_cast<std::size_t>(instance.model)].voxels;
     const Placement& placement = instance.entityFromModel;
     voxels.forEachBlock([&](const VoxelBlock& block) {
         const IBox cube{block.origin, block.origin + block.edgeVoxels};
         if (block.voxels == nullptr) {
-            const IBox box = placement.applyToBox(cube);
-            grid->sparseFill({coord(box.min), coord(box.max - 1)}, block.uniformValue, true);
+            writer.fill(placement.applyToBox(cube), block.uniformValue);
             return;
         }
         for (int n = 0; n < 512; ++n) {
             if (block.voxels[n] == 0) continue;
             const glm::ivec3 v = block.origin + glm::ivec3(n >> 6, n >> 3 & 7, n & 7);
-            accessor.setValueOn(coord(placement.applyToVoxel(v)), block.voxels[n]);
+            writer.set(placement.applyToVoxel(v), block.voxels[n]);
         }
     });
-    grid->setName(document.nodes[static_cast<std::size_t>(instance.node)].name);
-    grid->setTransform(openvdb::math::Transform::createLinearTransform(voxelSizeMetres));
-    grid->setSaveFloatAsHalf(false);
-    return grid;
 }
 
 // All that a project has but the scene, as text.
@@ -59,18 +47,15 @@ std::string restOf(const Document& document, const AuthoredValues& authored) {
 
 Result<Bytes> writeVdb(const Document& document, const AuthoredValues& authored) {
     if (Status s = validate(document); !s) return Failure(s.error());
+    const Result<const VolumeLibrary*> library = volumeLibrary();
+    if (!library) return Failure(library.error());
     std::string text;
     try {
-        openvdb::initialize();
-        openvdb::GridCPtrVec grids;
+        const std::unique_ptr<VdbWriter> writer = (*library)->vdbWriter();
         for (const Instance& instance : instancesOf(document, 0)) {
-            grids.push_back(gridOf(document, instance, authored.voxelSizeMetres));
+            addGrid(*writer, document, instance, authored.voxelSizeMetres);
         }
-        openvdb::MetaMap metadata;
-        metadata.insertMeta("voxprite", openvdb::StringMetadata(restOf(document, authored)));
-        std::ostringstream stream(std::ios::binary);
-        openvdb::io::Stream(stream).write(grids, metadata);
-        text = std::move(stream).str();
+        text = writer->file("voxprite", restOf(document, authored));
     } catch (const std::exception& error) {
         return fail(std::string("OpenVDB cannot write the grids: ") + error.what());
     }

@@ -1,7 +1,14 @@
 #include "core/model/voxel_grid.h"
 
+// Leaves that load themselves from a file when they are touched: ours never do, and that part of
+// OpenVDB is not in its headers. Before anything else of it.
+#include <openvdb/version.h>
+#undef OPENVDB_USE_DELAYED_LOADING
+
 #include <openvdb/Types.h>
-#include <openvdb/tree/Tree.h>
+#include <openvdb/tree/InternalNode.h>
+#include <openvdb/tree/LeafNode.h>
+#include <openvdb/tree/RootNode.h>
 #include <openvdb/tree/ValueAccessor.h>
 
 #include <algorithm>
@@ -22,10 +29,33 @@ namespace {
 // kilobytes and not megabytes, though its pivot at the origin makes it touch eight root cells.
 //
 // A voxel is active exactly when its value is not 0, tiles included.
-using Tree = openvdb::tree::Tree4<std::uint8_t, 3, 3, 3>::Type;
-using Upper = Tree::RootNodeType::ChildNodeType;  // of 512 voxels an edge
-using Lower = Upper::ChildNodeType;               // of 64
-using Leaf = Tree::LeafNodeType;
+// Palette indices, as a type that OpenVDB's library has no nodes of: those would load themselves.
+enum Value : std::uint8_t {};
+using Leaf = openvdb::tree::LeafNode<Value, 3>;
+using Lower = openvdb::tree::InternalNode<Leaf, 3>;   // of 64 voxels an edge
+using Upper = openvdb::tree::InternalNode<Lower, 3>;  // of 512
+
+// In place of OpenVDB's own, which adds files and printing: through these a program would be bound
+// to all of its library before it starts (62 ms), and most that it does needs no more than headers.
+// What accessors ask of a tree, and no more.
+class Tree {
+  public:
+    using RootNodeType = openvdb::tree::RootNode<Upper>;
+    using LeafNodeType = Leaf;
+    using ValueType = Value;
+    static constexpr openvdb::Index DEPTH = RootNodeType::LEVEL + 1;
+
+    [[nodiscard]] RootNodeType& root() { return root_; }
+    [[nodiscard]] const RootNodeType& root() const { return root_; }
+    // Accessors that are told when a tree lets go of nodes: ours are not.
+    template <class Accessor>
+    void attachAccessor(Accessor&) const {}
+    template <class Accessor>
+    void releaseAccessor(Accessor&) const {}
+
+  private:
+    RootNodeType root_{Value{}};
+};
 using Writer = openvdb::tree::ValueAccessor<Tree, /*IsSafe=*/false>;
 using ConstReader = openvdb::tree::ValueAccessor<const Tree, /*IsSafe=*/false>;
 
@@ -72,7 +102,7 @@ void visitNode(const Node& node, const VisitTile& visitTile, const VisitLeaf& vi
 template <class VisitTile, class VisitLeaf>
 void visitTree(const Tree& tree, const VisitTile& visitTile, const VisitLeaf& visitLeaf) {
     for (auto cell = tree.root().cbeginChildAll(); cell; ++cell) {
-        std::uint8_t value = 0;
+        Value value{};
         if (const Upper* child = cell.probeChild(value)) {
             visitNode(*child, visitTile, visitLeaf);
         } else if (value != 0) {
@@ -82,10 +112,15 @@ void visitTree(const Tree& tree, const VisitTile& visitTile, const VisitLeaf& vi
     }
 }
 
+// In the order of VoxelBlock.
+const std::uint8_t* voxelsOf(const Leaf& leaf) {
+    return reinterpret_cast<const std::uint8_t*>(leaf.buffer().data());
+}
+
 VoxelBlock blockFromLeaf(const Leaf& leaf, glm::ivec3 origin) {
     // A mask is nothing but its words.
     static_assert(sizeof(Leaf::NodeMaskType) == kLeafVoxels / 8);
-    return {origin, kLeafEdge, 0, leaf.buffer().data(),
+    return {origin, kLeafEdge, 0, voxelsOf(leaf),
             reinterpret_cast<const std::uint64_t*>(&leaf.valueMask())};
 }
 
@@ -146,7 +181,7 @@ void forEachVoxelOfCube(glm::ivec3 origin, int edge, const Visit& visit) {
                 [&](glm::ivec3 part) { forEachVoxelOfCube(part, edge / kBranching, visit); });
 }
 
-// Edge of the cube around a position that is stored as one value. `reader`: a tree or accessor.
+// Edge of the cube around a position that is stored as one value. `reader`: a root or accessor.
 template <class Reader>
 int uniformEdgeAt(const Reader& reader, const openvdb::Coord& position) {
     switch (reader.getValueDepth(position)) {
@@ -166,7 +201,7 @@ bool cubeIsUniform(const ConstReader& reader, glm::ivec3 origin, int edge, std::
     const openvdb::Coord position = coord(origin);
     if (uniformEdgeAt(reader, position) >= edge) return reader.getValue(position) == value;
     if (edge == kLeafEdge) {
-        const std::uint8_t* voxels = reader.probeConstLeaf(position)->buffer().data();
+        const std::uint8_t* voxels = voxelsOf(*reader.probeConstLeaf(position));
         return std::all_of(voxels, voxels + kLeafVoxels,
                            [value](std::uint8_t v) { return v == value; });
     }
@@ -178,9 +213,9 @@ bool cubeIsUniform(const ConstReader& reader, glm::ivec3 origin, int edge, std::
 }
 
 bool leafEquals(const ConstReader& reader, const Leaf& leaf) {
-    const std::uint8_t* voxels = leaf.buffer().data();
+    const std::uint8_t* voxels = voxelsOf(leaf);
     if (const Leaf* other = reader.probeConstLeaf(leaf.origin())) {
-        return std::memcmp(voxels, other->buffer().data(), kLeafVoxels) == 0;
+        return std::memcmp(voxels, voxelsOf(*other), kLeafVoxels) == 0;
     }
     const std::uint8_t value = reader.getValue(leaf.origin());
     return std::all_of(voxels, voxels + kLeafVoxels,
@@ -199,7 +234,7 @@ struct VoxelGrid::Impl {
         Voxels(const Voxels& other) : tree(other.tree) {}
         Voxels& operator=(const Voxels&) = delete;
 
-        Tree tree{0};
+        Tree tree;
         Writer writer{tree};  // remembers the last leaf; cleared whenever nodes may go away
     };
     std::shared_ptr<Voxels> shared = std::make_shared<Voxels>();
@@ -229,16 +264,16 @@ VoxelGrid& VoxelGrid::operator=(const VoxelGrid& other) {
 }
 
 std::uint8_t VoxelGrid::get(glm::ivec3 v) const {
-    return impl_->tree().getValue(coord(v));
+    return impl_->tree().root().getValue(coord(v));
 }
 
 void VoxelGrid::set(glm::ivec3 v, std::uint8_t value) {
     VOXPRITE_CHECK(isInVoxelRange(v));
     Writer& writer = impl_->own().writer;
     if (value == 0) {
-        writer.setValueOff(coord(v), 0);
+        writer.setValueOff(coord(v), Value{});
     } else {
-        writer.setValueOn(coord(v), value);
+        writer.setValueOn(coord(v), Value{value});
     }
 }
 
@@ -248,7 +283,7 @@ void VoxelGrid::fill(const IBox& box, std::uint8_t value) {
     Impl::Voxels& own = impl_->own();
     own.writer.clear();
     const auto fillWith = [&](const IBox& part, bool active) {
-        own.tree.sparseFill({coord(part.min), coord(part.max - 1)}, value, active);
+        own.tree.root().sparseFill({coord(part.min), coord(part.max - 1)}, Value{value}, active);
     };
     if (value != 0) {
         fillWith(box, true);
@@ -300,11 +335,23 @@ std::uint64_t VoxelGrid::cubeCount() const {
 }
 
 bool VoxelGrid::empty() const {
-    return !impl_->tree().cbeginValueOn();  // the first that is solid is enough
+    const auto holdsOne = [](const auto& self, const auto& node) -> bool {
+        if constexpr (std::is_same_v<std::decay_t<decltype(node)>, Leaf>) {
+            return !node.isEmpty();
+        } else {
+            if (node.cbeginValueOn()) return true;
+            for (auto child = node.cbeginChildOn(); child; ++child) {
+                if (self(self, *child)) return true;
+            }
+            return false;
+        }
+    };
+    return !holdsOne(holdsOne, impl_->tree().root());
 }
 
 std::size_t VoxelGrid::bytes() const {
-    const std::vector<openvdb::Index32> nodes = impl_->tree().nodeCount();  // leaves first
+    std::vector<openvdb::Index32> nodes(Tree::DEPTH);  // leaves first
+    impl_->tree().root().nodeCount(nodes);
     return sizeof(Impl) + nodes[0] * (sizeof(Leaf) + kLeafVoxels) + nodes[1] * sizeof(Lower) +
            nodes[2] * sizeof(Upper);
 }
@@ -368,9 +415,10 @@ IBox VoxelGrid::bounds() const {
 
 VoxelBlock VoxelGrid::blockAt(glm::ivec3 v) const {
     const openvdb::Coord position = coord(v);
-    if (const Leaf* leaf = impl_->tree().probeConstLeaf(position)) return blockFromLeaf(*leaf);
-    const int edge = uniformEdgeAt(impl_->tree(), position);
-    return {v & ~(edge - 1), edge, impl_->tree().getValue(position), nullptr};
+    const auto& root = impl_->tree().root();
+    if (const Leaf* leaf = root.probeConstLeaf(position)) return blockFromLeaf(*leaf);
+    const int edge = uniformEdgeAt(root, position);
+    return {v & ~(edge - 1), edge, root.getValue(position), nullptr};
 }
 
 void VoxelGrid::forEachBlock(const std::function<void(const VoxelBlock&)>& visit) const {
@@ -379,7 +427,7 @@ void VoxelGrid::forEachBlock(const std::function<void(const VoxelBlock&)>& visit
 
 void VoxelGrid::forEachRegion(const std::function<void(const VoxelRegion&)>& visit) const {
     for (auto cell = impl_->tree().root().cbeginChildAll(); cell; ++cell) {
-        std::uint8_t value = 0;
+        Value value{};
         const Upper* upper = cell.probeChild(value);
         if (upper == nullptr) {
             if (value != 0) visit({vector(cell.getCoord()), Upper::DIM, value, 0, nullptr});

@@ -1,34 +1,21 @@
 #include "core/model/voxel_morphology.h"
 
-#include <openvdb/Types.h>
-#include <openvdb/tools/Morphology.h>
-#include <openvdb/tree/Tree.h>
-
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <exception>
 #include <string>
+
+#include "core/volume/volume_library.h"
 
 namespace voxprite {
 
 namespace {
 
-// Solidity alone, divided as a VoxelGrid is.
-using Topology = openvdb::tree::Tree4<openvdb::ValueMask, 3, 3, 3>::Type;
-using Leaf = Topology::LeafNodeType;
-
 constexpr int kLeafEdge = 8;
-constexpr openvdb::Index kLeafVoxels = 512;
+constexpr int kLeafVoxels = 512;
 // OpenVDB's morphology divides large uniform blocks down to leaves of some 100 bytes.
 constexpr std::uint64_t kMaxLeaves = std::uint64_t{1} << 21;
-
-openvdb::Coord coord(glm::ivec3 v) {
-    return {v.x, v.y, v.z};
-}
-
-glm::ivec3 vector(const openvdb::Coord& c) {
-    return {c.x(), c.y(), c.z()};
-}
 
 Status checkSize(const VoxelGrid& voxels) {
     const std::uint64_t leaves = voxels.cubeCount();
@@ -37,30 +24,16 @@ Status checkSize(const VoxelGrid& voxels) {
                 " blocks of 8 voxels cubed; at most " + std::to_string(kMaxLeaves) + " can be");
 }
 
-Topology topologyOf(const VoxelGrid& voxels) {
-    Topology topology;
+std::unique_ptr<SolidVoxels> solidOf(const VolumeLibrary& library, const VoxelGrid& voxels) {
+    std::unique_ptr<SolidVoxels> solid = library.solidVoxels();
     voxels.forEachBlock([&](const VoxelBlock& block) {
         if (block.voxels == nullptr) {
-            topology.sparseFill({coord(block.origin), coord(block.origin + (block.edgeVoxels - 1))},
-                                true, true);
-            return;
+            solid->fill(block.box());
+        } else {
+            solid->setBlock(block.origin, block.solid);
         }
-        Leaf::NodeMaskType solid;
-        for (openvdb::Index n = 0; n < kLeafVoxels; ++n) solid.set(n, block.voxels[n] != 0);
-        topology.touchLeaf(coord(block.origin))->setValueMask(solid);
     });
-    topology.voxelizeActiveTiles();
-    return topology;
-}
-
-void dilate(Topology& topology) {
-    openvdb::tools::dilateActiveValues(topology, 1, openvdb::tools::NN_FACE,
-                                       openvdb::tools::EXPAND_TILES);
-}
-
-void erode(Topology& topology, int layers) {
-    openvdb::tools::erodeActiveValues(topology, layers, openvdb::tools::NN_FACE,
-                                      openvdb::tools::EXPAND_TILES);
+    return solid;
 }
 
 // The colour of most of the six neighbours that are solid, of several the lowest.
@@ -85,29 +58,32 @@ std::uint8_t colourFromFaces(const VoxelGrid::Reader& reader, glm::ivec3 v) {
     return best;
 }
 
-// The active voxels of `topology` that are empty in `voxels` take a colour from it.
-void addLayer(VoxelGrid& voxels, const Topology& topology) {
+// The voxels of `solid` that are empty in `voxels` take a colour from it.
+void addLayer(VoxelGrid& voxels, const SolidVoxels& solid) {
     const VoxelGrid before = voxels;
     const VoxelGrid::Reader reader(before);
-    for (auto leaf = topology.cbeginLeaf(); leaf; ++leaf) {
-        for (auto voxel = leaf->cbeginValueOn(); voxel; ++voxel) {
-            const glm::ivec3 v = vector(voxel.getCoord());
-            if (reader.get(v) == 0) voxels.set(v, colourFromFaces(reader, v));
+    solid.forEachBlock([&](glm::ivec3 origin, const std::uint64_t* words) {
+        for (int x = 0; x < kLeafEdge; ++x) {
+            for (std::uint64_t rest = words[x]; rest != 0; rest &= rest - 1) {
+                const int bit = std::countr_zero(rest);
+                const glm::ivec3 v = origin + glm::ivec3(x, bit >> 3, bit & 7);
+                if (reader.get(v) == 0) voxels.set(v, colourFromFaces(reader, v));
+            }
         }
-    }
+    });
 }
 
-// Of the voxels those that are active in `topology`, or those that are not.
-VoxelGrid voxelsWhere(const VoxelGrid& voxels, const Topology& topology, bool active) {
+// Of the voxels those that are in `kept`, or those that are not.
+VoxelGrid voxelsWhere(const VoxelGrid& voxels, const SolidVoxels& kept, bool in) {
     VoxelGrid result;
     std::array<std::uint8_t, kLeafVoxels> values;
     const auto keepLeaf = [&](glm::ivec3 origin, const VoxelBlock& block) {
-        const Leaf* leaf = topology.probeConstLeaf(coord(origin));
-        for (openvdb::Index n = 0; n < kLeafVoxels; ++n) {
-            const bool isActive = leaf != nullptr && leaf->isValueOn(n);
+        const std::uint64_t* words = kept.blockAt(origin);
+        for (std::size_t n = 0; n < kLeafVoxels; ++n) {
+            const bool isIn = words != nullptr && (words[n >> 6] >> (n & 63) & 1) != 0;
             const std::uint8_t value =
                 block.voxels == nullptr ? block.uniformValue : block.voxels[n];
-            values[n] = isActive == active ? value : 0;
+            values[n] = isIn == in ? value : 0;
         }
         result.setBlock(origin, values.data());
     };
@@ -123,12 +99,15 @@ VoxelGrid voxelsWhere(const VoxelGrid& voxels, const Topology& topology, bool ac
     return result;
 }
 
-// Runs `work`, with OpenVDB's exceptions (memory) as errors.
+// work(solid voxels), with OpenVDB's exceptions (memory) as errors.
 template <class Work>
 Result<VoxelGrid> guarded(const VoxelGrid& voxels, const Work& work) {
     if (Status s = checkSize(voxels); !s) return tl::unexpected(s.error());
+    const Result<const VolumeLibrary*> library = volumeLibrary();
+    if (!library) return tl::unexpected(library.error());
     try {
-        return work();
+        const std::unique_ptr<SolidVoxels> solid = solidOf(**library, voxels);
+        return work(*solid);
     } catch (const std::exception& e) {
         return fail(std::string("OpenVDB: ") + e.what());
     }
@@ -149,12 +128,11 @@ Result<VoxelGrid> dilated(const VoxelGrid& voxels, int layers) {
     if (!isInVoxelRange(bounds.min - layers) || !isInVoxelRange(bounds.max - 1 + layers)) {
         return fail("The voxels would lie beyond +-" + std::to_string(kMaxCoordinate));
     }
-    return guarded(voxels, [&] {
-        Topology topology = topologyOf(voxels);
+    return guarded(voxels, [&](SolidVoxels& solid) {
         VoxelGrid result = voxels;
         for (int layer = 0; layer < layers; ++layer) {
-            dilate(topology);
-            addLayer(result, topology);
+            solid.dilate();
+            addLayer(result, solid);
         }
         return result;
     });
@@ -162,19 +140,17 @@ Result<VoxelGrid> dilated(const VoxelGrid& voxels, int layers) {
 
 Result<VoxelGrid> eroded(const VoxelGrid& voxels, int layers) {
     if (Status s = checkLayers("layers", layers); !s) return tl::unexpected(s.error());
-    return guarded(voxels, [&] {
-        Topology topology = topologyOf(voxels);
-        erode(topology, layers);
-        return voxelsWhere(voxels, topology, true);
+    return guarded(voxels, [&](SolidVoxels& solid) {
+        solid.erode(layers);
+        return voxelsWhere(voxels, solid, true);
     });
 }
 
 Result<VoxelGrid> hollowed(const VoxelGrid& voxels, int wall) {
     if (Status s = checkLayers("wall", wall); !s) return tl::unexpected(s.error());
-    return guarded(voxels, [&] {
-        Topology inside = topologyOf(voxels);
-        erode(inside, wall);
-        return voxelsWhere(voxels, inside, false);
+    return guarded(voxels, [&](SolidVoxels& solid) {
+        solid.erode(wall);
+        return voxelsWhere(voxels, solid, false);
     });
 }
 

@@ -39,10 +39,11 @@ class CommandLine : public testing::Test {
   protected:
     // Redirections of the shell ("2>&-") come after those to files.
     ProgramResult run(const std::vector<std::string>& arguments,
-                      const std::string& redirections = "") const {
+                      const std::string& redirections = "",
+                      const std::string& program = VOXPRITE_PROGRAM) const {
         const std::string out = file("stdout");
         const std::string err = file("stderr");
-        std::string command = quoted(VOXPRITE_PROGRAM);
+        std::string command = quoted(program);
         for (const std::string& argument : arguments) command += " " + quoted(argument);
         command += " >" + quoted(out) + " 2>" + quoted(err) + " </dev/null " + redirections;
         const int status = std::system(command.c_str());

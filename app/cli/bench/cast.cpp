@@ -16,7 +16,9 @@
 
 #include "app/cli/bench/bench.h"
 #include "app/cli/bench/counters.h"
-#include "app/cli/bench/volume_rivals.h"
+#include "app/cli/bench/nanovdb_rival.h"
+#include "app/cli/bench/openvdb_rivals.h"
+#include "app/cli/bench/rivals.h"
 #include "app/cli/stopwatch.h"
 #include "core/base/parallel.h"
 #include "core/base/thread_stopwatch.h"
@@ -204,9 +206,13 @@ class CastBench {
             auto caster = std::make_shared<NanoVdbRival::Caster>(nanovdb);
             return [caster](const Ray& ray) { return caster->cast(ray); };
         }));
-        const OpenVdbRival openvdb(octree_);
+        const Result<const OpenVdbRivals*> rivals = openVdbRivals();
+        if (!rivals) return Failure(rivals.error());
+        const std::unique_ptr<OpenVdbVolume> openvdb = (*rivals)->volume(octree_.size);
+        forEachSolid(octree_,
+                     [&](glm::ivec3 v, std::uint8_t material) { openvdb->set(v, material); });
         casters.push_back(rayByRay("openvdb", [&] {
-            auto caster = std::make_shared<OpenVdbRival::Caster>(openvdb);
+            const std::shared_ptr<OpenVdbVolume::Caster> caster = openvdb->caster();
             return [caster](const Ray& ray) { return caster->cast(ray); };
         }));
         casters.push_back(rayByRay("octree_restart", [&] {

@@ -1,3 +1,5 @@
+#include "app/cli/bench/nanovdb_rival.h"
+
 #include <nanovdb/util/GridBuilder.h>
 #include <nanovdb/util/Ray.h>
 
@@ -5,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/cli/bench/volume_rivals.h"
+#include "app/cli/bench/rivals.h"
 
 namespace voxprite::bench {
 namespace {

@@ -6,8 +6,8 @@
 #include <ranges>
 
 #include "app/cli/bench/bench.h"
+#include "app/cli/bench/openvdb_rivals.h"
 #include "app/cli/bench/rivals.h"
-#include "app/cli/bench/vdb_rival.h"
 #include "app/cli/stopwatch.h"
 #include "core/base/parallel.h"
 #include "core/svo/bake.h"
@@ -93,6 +93,21 @@ Result<double> medianEditUs(const LiveOctree& live, const Octree& octree, int co
     return median(std::move(times));
 }
 
+Result<std::unique_ptr<OpenVdbGrid>> openVdbGridOf(const VoxelGrid& voxels) {
+    const Result<const OpenVdbRivals*> rivals = openVdbRivals();
+    if (!rivals) return Failure(rivals.error());
+    std::unique_ptr<OpenVdbGrid> grid = (*rivals)->grid();
+    voxels.forEachSolid([&](glm::ivec3 v, std::uint8_t material) { grid->set(v, material); });
+    return grid;
+}
+
+bool holds(const OpenVdbGrid::NanoVdb& grid, const VoxelGrid& voxels) {
+    bool same = true;
+    voxels.forEachSolid(
+        [&](glm::ivec3 v, std::uint8_t material) { same = same && grid.get(v) == material; });
+    return same;
+}
+
 }  // namespace
 
 Result<Json> benchBake(const std::vector<BenchModel>& models, const Effort& effort) {
@@ -115,10 +130,14 @@ Result<Json> benchBake(const std::vector<BenchModel>& models, const Effort& effo
         figures.push_back(bakeFigure(model, "naive", 1, medianMs(less, [&] {
                                          static_cast<void>(bakeNaively(model.voxels));
                                      })));
-        const VdbGrid grid(model.voxels);
-        if (!grid.nanoVdbHolds(model.voxels)) return fail(model.name + ": NanoVDB's grid differs");
-        figures.push_back(bakeFigure(model, "nanovdb", all,
-                                     medianMs(less, [&] { static_cast<void>(grid.toNanoVdb()); })));
+        const Result<std::unique_ptr<OpenVdbGrid>> grid = openVdbGridOf(model.voxels);
+        if (!grid) return Failure(grid.error());
+        if (!holds(*(*grid)->toNanoVdb(), model.voxels)) {
+            return fail(model.name + ": NanoVDB's grid differs");
+        }
+        figures.push_back(bakeFigure(model, "nanovdb", all, medianMs(less, [&] {
+                                         static_cast<void>((*grid)->toNanoVdb());
+                                     })));
     }
     return figures;
 }
@@ -130,7 +149,8 @@ Result<Json> benchUpdate(const std::vector<BenchModel>& models, const Effort& ef
         progress(effort, "update: " + model.name);
         LiveOctree live;
         if (Status status = live.rebuild(model.voxels); !status) return Failure(status.error());
-        VdbGrid grid(model.voxels);
+        const Result<std::unique_ptr<OpenVdbGrid>> grid = openVdbGridOf(model.voxels);
+        if (!grid) return Failure(grid.error());
         GpuOctree gpu;
         const IBox bounds = model.voxels.bounds();
         const auto patch = [&](const Edits& edits) { return live.apply(edits); };
@@ -142,7 +162,7 @@ Result<Json> benchUpdate(const std::vector<BenchModel>& models, const Effort& ef
             return status;
         };
         const auto writeVdb = [&](const Edits& edits) -> Status {
-            for (const LiveOctree::Edit& edit : edits) grid.set(edit.voxel, edit.material);
+            for (const LiveOctree::Edit& edit : edits) (*grid)->set(edit.voxel, edit.material);
             return {};
         };
         const auto measure = [&](const char* edit, int edits, int batch,

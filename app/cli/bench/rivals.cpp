@@ -34,30 +34,6 @@ Leaf leafAround(const OctreeView& octree, glm::ivec3 cell) {
     }
 }
 
-}  // namespace
-
-Span clip(const Ray& ray, glm::ivec3 size) {
-    Span span{ray.tMin, kNever};
-    for (int axis = 0; axis < 3; ++axis) {
-        if (ray.direction[axis] == 0.0) {
-            if (ray.origin[axis] < 0.0 || ray.origin[axis] >= size[axis]) return {1.0, 0.0};
-            continue;
-        }
-        const double a = -ray.origin[axis] / ray.direction[axis];
-        const double b = (size[axis] - ray.origin[axis]) / ray.direction[axis];
-        span.tIn = std::max(span.tIn, std::min(a, b));
-        span.tOut = std::min(span.tOut, std::max(a, b));
-    }
-    return span;
-}
-
-glm::ivec3 cellAt(const Ray& ray, double t, glm::ivec3 size) {
-    return glm::clamp(glm::ivec3(glm::floor(ray.origin + ray.direction * t)), glm::ivec3(0),
-                      size - 1);
-}
-
-namespace {
-
 void forEachSolidUnder(const OctreeView& octree, std::uint32_t word, glm::ivec3 corner, int edge,
                        const std::function<void(glm::ivec3, std::uint8_t)>& body) {
     if (edge == 1) return body(corner - octree.treeFromVoxel, static_cast<std::uint8_t>(word));

@@ -1,11 +1,10 @@
-// Sparse volumes of other libraries, cast through as those libraries do it. Nothing of their
-// headers shows here; see rivals.h for the rays.
+// NanoVDB, cast through as that library does it. Nothing of its headers shows here.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 
-#include "app/cli/bench/rivals.h"
+#include "app/cli/bench/ray.h"
 #include "core/svo/octree.h"
 
 namespace voxprite::bench {
@@ -29,33 +28,6 @@ class NanoVdbRival {
         Caster(const Caster&) = delete;
         Caster& operator=(const Caster&) = delete;
         [[nodiscard]] std::uint8_t cast(const Ray& ray);  // the material hit, 0 for none
-
-      private:
-        struct State;
-        std::unique_ptr<State> state_;
-    };
-
-  private:
-    struct Grid;
-    std::unique_ptr<Grid> grid_;
-};
-
-// OpenVDB's VolumeRayIntersector (Museth 2014), which finds the leaf nodes along a ray, and its DDA
-// from voxel to voxel inside them.
-class OpenVdbRival {
-  public:
-    explicit OpenVdbRival(const OctreeView& octree);
-    ~OpenVdbRival();
-    OpenVdbRival(const OpenVdbRival&) = delete;
-    OpenVdbRival& operator=(const OpenVdbRival&) = delete;
-
-    class Caster {
-      public:
-        explicit Caster(const OpenVdbRival& rival);
-        ~Caster();
-        Caster(const Caster&) = delete;
-        Caster& operator=(const Caster&) = delete;
-        [[nodiscard]] std::uint8_t cast(const Ray& ray);
 
       private:
         struct State;
