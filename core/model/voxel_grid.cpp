@@ -26,18 +26,18 @@ namespace {
 
 // Every level divides its cube by eight on each axis: leaves of 8, then 64, then 512 voxels, below
 // a sorted map of 512-cubes. OpenVDB's usual 5-4-3 is for one big grid; here a model costs
-// kilobytes and not megabytes, though its pivot at the origin makes it touch eight root cells.
+// kilobytes and not megabytes, though its pivot at the origin makes it touch eight root cells. A
+// voxel is active exactly when its value is not 0, tiles included.
 //
-// A voxel is active exactly when its value is not 0, tiles included.
-// Palette indices, as a type that OpenVDB's library has no nodes of: those would load themselves.
+// Values are palette indices, as a type that OpenVDB's library has no nodes of: that is compiled
+// with leaves that load themselves, and a program may have one kind of a name alone.
 enum Value : std::uint8_t {};
 using Leaf = openvdb::tree::LeafNode<Value, 3>;
 using Lower = openvdb::tree::InternalNode<Leaf, 3>;   // of 64 voxels an edge
 using Upper = openvdb::tree::InternalNode<Lower, 3>;  // of 512
 
-// In place of OpenVDB's own, which adds files and printing: through these a program would be bound
-// to all of its library before it starts (62 ms), and most that it does needs no more than headers.
-// What accessors ask of a tree, and no more.
+// What accessors ask of a tree, and no more. OpenVDB's own adds files and printing, through which a
+// program would be bound to all of its library before it starts (core/volume).
 class Tree {
   public:
     using RootNodeType = openvdb::tree::RootNode<Upper>;

@@ -26,7 +26,7 @@ struct ProgramResult {
 
     // The whole of stdout as JSON; fails the test when it is anything else.
     [[nodiscard]] nlohmann::json json() const {
-        const nlohmann::json parsed = nlohmann::json::parse(out, nullptr, false);
+        nlohmann::json parsed = nlohmann::json::parse(out, nullptr, false);
         EXPECT_FALSE(parsed.is_discarded()) << "stdout is not one JSON value:\n" << out << err;
         return parsed;
     }
