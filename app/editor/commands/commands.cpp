@@ -140,9 +140,11 @@ std::string nameWithKey(CommandId id, const Keymap& keymap) {
 
 void CommandQueue::askByKeys(const Keymap& keymap) {
     const ImGuiIO& io = ImGui::GetIO();
-    // A dialog in front takes all keys.
+    // A dialog in front takes all keys, and so does a field. Dear ImGui wants text for a frame more
+    // than there is a field, in which what follows Esc at once would be lost.
     const bool dialog = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
-    if (io.WantTextInput || dialog) return;
+    const bool typing = io.WantTextInput && ImGui::IsAnyItemActive();
+    if (typing || dialog) return;
     for (const Command& command : commands()) {
         for (const Chord& chord : chordsOf(command, keymap)) {
             if (isPressed(chord, command.repeats, io)) ask(command.id);
