@@ -13,12 +13,15 @@
 
 namespace voxprite {
 
-// For all grids of one file together: blocks of about a gigabyte, and more where the file is large
-// itself.
+// What blocks may take whatever the file's length: 1 GiB. A fuzz target links a smaller figure
+// (tests/fuzz/grid_allowance.cpp), or most of its time would go into filling grids.
+extern const std::uint64_t kGridAllowanceBytes;
+
+// For all grids of one file together: the allowance, and more where the file is large itself.
 class GridBudget {
   public:
     explicit GridBudget(std::uint64_t fileBytes)
-        : blocksLeft_((kAllowanceBytes + 32 * fileBytes) / kBytesPerBlock) {}
+        : blocksLeft_((kGridAllowanceBytes + 32 * fileBytes) / kBytesPerBlock) {}
 
     // Is there room for so many more?
     [[nodiscard]] bool has(std::uint64_t blocks) const { return blocks <= blocksLeft_; }
@@ -33,7 +36,6 @@ class GridBudget {
 
   private:
     static constexpr std::uint64_t kBytesPerBlock = 640;
-    static constexpr std::uint64_t kAllowanceBytes = std::uint64_t{1} << 30;
     std::uint64_t blocksLeft_;
 };
 
