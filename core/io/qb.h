@@ -19,7 +19,8 @@
 //             (x, z, y) here. Right-handed, z comes toward the viewer: cell z is cell -z - 1 here,
 //             positions and all.
 // Objects     A matrix is an object at the root with a model of its own, whose canvas is the
-//             matrix and begins at -floor(size / 2). Later ones win where they overlap.
+//             matrix and begins at -floor(size / 2), or at its position where the object would
+//             reach beyond the range of voxels else. Later ones win where they overlap.
 // Voxels      A voxel is solid where A is not 0, with or without mask. (Some writers leave the
 //             inside of solid parts out together with a mask; it cannot be told from empty space.)
 // Colours     R, G and B; reduced to the palette's 255 where there are more

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "core/io/colour_reduction.h"
@@ -180,9 +181,21 @@ Result<std::vector<QbMatrix>> scan(const QbHeader& header, ByteReader& reader,
     return matrices;
 }
 
-Result<Model> modelOf(const QbHeader& header, QbMatrix& matrix, glm::ivec3 size,
+// Centred about the object's origin, unless that counts as out of range (validate() adds the
+// largest components of where the object and its voxels are): then the origin is the space's own.
+IBox canvasOf(const IBox& place) {
+    const glm::ivec3 size = place.max - place.min;
+    const IBox centred{-(size / 2), size - size / 2};
+    const glm::ivec3 origin = glm::abs(place.min - centred.min);
+    const int reach = std::max({origin.x, origin.y, origin.z}) +
+                      std::max({centred.max.x, centred.max.y, centred.max.z});
+    return reach <= kMaxCoordinate ? centred : place;
+}
+
+Result<Model> modelOf(const QbHeader& header, QbMatrix& matrix, const IBox& canvas,
                       const ReducedColours& colours, GridBudget& budget) {
-    const glm::ivec3 corner = -(size / 2);
+    const glm::ivec3 corner = canvas.min;
+    const glm::ivec3 size = canvas.max - canvas.min;
     BudgetedGrid grid(budget);
     const auto put = [&](std::uint32_t slice, std::uint64_t index, std::uint64_t count,
                          std::uint32_t colour, std::uint64_t offset) -> Status {
@@ -201,7 +214,7 @@ Result<Model> modelOf(const QbHeader& header, QbMatrix& matrix, glm::ivec3 size,
         return {};
     };
     if (Status s = forEachRun(header, matrix, matrix.colours, put); !s) return Failure(s.error());
-    return Model{grid.release(), {corner, corner + size}};
+    return Model{grid.release(), canvas};
 }
 
 }  // namespace
@@ -222,7 +235,7 @@ Result<QbImport> readQb(ByteView bytes) {
     for (QbMatrix& matrix : *matrices) {
         const Result<IBox> place = placeOf(*header, matrix);
         if (!place) return Failure(place.error());
-        Result<Model> model = modelOf(*header, matrix, place->max - place->min, colours, budget);
+        Result<Model> model = modelOf(*header, matrix, canvasOf(*place), colours, budget);
         if (!model) return Failure(model.error());
         SceneNode object;
         object.name = matrix.name;

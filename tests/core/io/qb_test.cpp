@@ -106,6 +106,25 @@ TEST(Qb, MoreColoursThanAPaletteAreReducedAndThatIsSaid) {
     EXPECT_EQ(import.document.models[0].voxels.solidCount(), 400u);
 }
 
+TEST(Qb, MatricesAtTheRangesEdgeAreReadAndWritten) {
+    using Size = std::array<std::uint32_t, 3>;
+    using Position = std::array<std::int32_t, 3>;
+    const int edge = kMaxCoordinate;
+    for (const auto& [size, position] :
+         {std::pair(Size{3, 1, 1}, Position{-edge, 0, 0}),
+          std::pair(Size{1, 3, 1}, Position{0, edge - 3, 0}),
+          // Far out along one axis, long along another.
+          std::pair(Size{1, 4000, 1}, Position{edge - 1, -2000, 0})}) {
+        const std::vector<std::uint32_t> cells(std::size_t{size[0]} * size[1], kRed);
+        const QbBuilder builder = QbBuilder().matrix("", size, position, cells);
+        const Document document = must(readQb(builder.bytes())).document;
+        const glm::ivec3 corner(position[0], position[2], position[1]);
+        EXPECT_EQ(flatten(document, 0).bounds(),
+                  (IBox{corner, corner + glm::ivec3(size[0], size[2], size[1])}));
+        EXPECT_EQ(coloursOf(must(readQb(must(writeQb(document)))).document), coloursOf(document));
+    }
+}
+
 TEST(Qb, WhatIsWrongIsSaidWithItsPlace) {
     const auto errorOf = [](const Bytes& bytes) { return readQb(bytes).error().describe(); };
     EXPECT_THAT(errorOf({}), HasSubstr("byte 0: the file ends inside the version"));

@@ -1,4 +1,5 @@
 #include "core/io/qb.h"
+#include "core/io/grid_budget.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace voxprite;
@@ -11,5 +12,7 @@ VOXPRITE_FUZZ_TARGET(bytes) {
     if (!isSmall(read->document)) return;
     const Result<Bytes> written = writeQb(read->document);
     if (!written) return requireReason(written.error(), 0);
-    require(readQb(*written).has_value());
+    // The same voxels may lie in more blocks when their object begins elsewhere.
+    const Result<QbImport> again = readQb(*written);
+    require(again.has_value() || again.error().message == GridBudget::refusal());
 }
