@@ -274,7 +274,7 @@ Result<Snapshot> SnapshotRenderer::cast(const SnapshotEntity& entity, const Game
     const Image colours = impl_->frame.readColour();
     Snapshot snapshot{view, {}, impl_->frame.readDepth()};
     snapshot.buffer.size = glm::ivec2(rules.sizePx);
-    snapshot.buffer.colours = colours.pixels;
+    snapshot.buffer.colours.assign(colours.pixels.begin(), colours.pixels.end());
     snapshot.buffer.ids.assign(colours.pixels.size(), kIdFirstVoxel);
     const SnapshotCamera eye(rules.views, view, entity.octree->size(), rules.sizePx);
     for (int row = 0; row < rules.sizePx; ++row) {

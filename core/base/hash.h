@@ -18,9 +18,10 @@ namespace voxprite {
 // it must withstand them just the same.
 extern const bool kChecksumsCount;
 
-template <class T>
-[[nodiscard]] ByteView asBytes(const std::vector<T>& values) {
-    return {reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(T)};
+template <class Array>
+[[nodiscard]] ByteView asBytes(const Array& values) {
+    return {reinterpret_cast<const std::uint8_t*>(values.data()),
+            values.size() * sizeof(values[0])};
 }
 
 }  // namespace voxprite

@@ -81,8 +81,8 @@ struct PixelRect {
 
 // The pixels of a `seed` snapshot within `rect`, row by row: what the whole one has there.
 struct SnapshotPixels {
-    std::vector<Rgba8> colours;
-    std::vector<std::uint32_t> ids;
+    UnfilledVector<Rgba8> colours;
+    UnfilledVector<std::uint32_t> ids;
     std::vector<float> depth;
 };
 [[nodiscard]] SnapshotPixels castSnapshotPixels(const OctreeView& octree,

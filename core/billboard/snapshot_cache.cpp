@@ -44,9 +44,8 @@ std::size_t indexIn(const SpriteBuffer& buffer, int column, int row) {
 }
 
 // Does row `row` of `part`, so many pixels wide, lie in `all` from (column, line) on?
-template <class T>
-bool sameRow(const std::vector<T>& part, int row, int width, const std::vector<T>& all,
-             std::size_t from) {
+template <class Array>
+bool sameRow(const Array& part, int row, int width, const Array& all, std::size_t from) {
     const auto first = part.begin() + static_cast<std::ptrdiff_t>(row) * width;
     return std::equal(first, first + width, all.begin() + static_cast<std::ptrdiff_t>(from));
 }

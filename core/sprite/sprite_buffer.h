@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <string>
-#include <vector>
 
 #include "core/base/image.h"
+#include "core/base/unfilled_vector.h"
 #include "core/sprite/lit_palette.h"
 #include "core/svo/octree.h"
 #include "core/trace/lattice.h"
@@ -23,8 +23,8 @@ inline constexpr std::uint32_t kIdFirstVoxel = 2;  // + x + y * size.x + z * siz
 struct SpriteBuffer {
     glm::ivec2 first{0};
     glm::ivec2 size{0};
-    std::vector<Rgba8> colours;      // empty 0,0,0,0; outline its RGB, 255; hit: lit colour, 255
-    std::vector<std::uint32_t> ids;  // kIdEmpty, kIdOutline or kIdFirstVoxel + index (mod 2^32)
+    UnfilledVector<Rgba8> colours;      // empty 0,0,0,0; outline its RGB, 255; hit: lit colour, 255
+    UnfilledVector<std::uint32_t> ids;  // kIdEmpty, kIdOutline or kIdFirstVoxel + index (mod 2^32)
 
     [[nodiscard]] std::string sha256() const;         // of the RGBA8 rows
     [[nodiscard]] std::string idsSha256() const;      // of the R32UI rows, little-endian

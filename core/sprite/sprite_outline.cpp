@@ -2,7 +2,37 @@
 
 #include <bit>
 
+#include "core/trace/packet_caster.h"
+
 namespace voxprite {
+namespace {
+
+class OutlinePen {
+  public:
+    OutlinePen(Rgba8 colour, SpriteBuffer& buffer)
+        : colour_(glm::u8vec3(colour), 255), buffer_(buffer) {}
+
+    void pixel(std::size_t at) {
+        buffer_.ids[at] = kIdOutline;
+        buffer_.colours[at] = colour_;
+    }
+    void pixel(int row, int column) {
+        pixel(static_cast<std::size_t>(row) * static_cast<std::size_t>(buffer_.size.x) +
+              static_cast<std::size_t>(column));
+    }
+    // Of a word of 64 pixels, the first of which is `at`.
+    void pixels(std::size_t at, std::uint64_t bits) {
+        for (; bits != 0; bits &= bits - 1)
+            pixel(at + static_cast<std::size_t>(std::countr_zero(bits)));
+    }
+
+  private:
+    Rgba8 colour_;
+    SpriteBuffer& buffer_;
+};
+
+}  // namespace
+
 PixelBits::PixelBits(glm::ivec2 size)
     : words_((size.x + 63) / 64),
       bits_(static_cast<std::size_t>(words_) * static_cast<std::size_t>(size.y)) {}
@@ -22,7 +52,7 @@ void drawOutline(const PixelBits& opaque, Rgba8 colour, SpriteBuffer& buffer) {
     const int words = opaque.words();
     if (words == 0) return;
     const std::uint64_t lastWord = ~std::uint64_t{0} >> (64 * words - buffer.size.x);
-    const Rgba8 solid{colour.x, colour.y, colour.z, 255};
+    OutlinePen pen(colour, buffer);
     const std::vector<std::uint64_t> none(static_cast<std::size_t>(words));
     for (int row = 0; row < buffer.size.y; ++row) {
         const std::uint64_t* const here = opaque.row(row);
@@ -40,11 +70,34 @@ void drawOutline(const PixelBits& opaque, Rgba8 colour, SpriteBuffer& buffer) {
                 ~middle;
             if (last) outline &= lastWord;
             left = middle;
-            for (; outline != 0; outline &= outline - 1) {
-                const std::size_t pixel = at + static_cast<std::size_t>(std::countr_zero(outline));
-                buffer.ids[pixel] = kIdOutline;
-                buffer.colours[pixel] = solid;
-            }
+            pen.pixels(at, outline);
+        }
+    }
+}
+
+void drawOutlineAtSeams(const PixelBits& opaque, Rgba8 colour, SpriteBuffer& buffer) {
+    constexpr int kEdge = PacketHits::kEdge;
+    static_assert(kEdge == 64);  // so that packets meet where words do
+    const int words = opaque.words();
+    OutlinePen pen(colour, buffer);
+    for (int row = 0; row < buffer.size.y; ++row) {
+        const std::uint64_t* const bits = opaque.row(row);
+        for (int word = 1; word < words; ++word) {
+            const bool before = bits[word - 1] >> 63 != 0;
+            const bool after = (bits[word] & 1) != 0;
+            if (before != after) pen.pixel(row, before ? kEdge * word : kEdge * word - 1);
+        }
+    }
+    // Packets begin at the bottom.
+    for (int below = buffer.size.y - kEdge; below > 0; below -= kEdge) {
+        const int above = below - 1;
+        for (int word = 0; word < words; ++word) {
+            const std::uint64_t high = opaque.row(above)[word];
+            const std::uint64_t low = opaque.row(below)[word];
+            const auto first = static_cast<std::size_t>(kEdge * word);
+            const auto width = static_cast<std::size_t>(buffer.size.x);
+            pen.pixels(static_cast<std::size_t>(above) * width + first, low & ~high);
+            pen.pixels(static_cast<std::size_t>(below) * width + first, high & ~low);
         }
     }
 }

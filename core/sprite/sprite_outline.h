@@ -34,4 +34,8 @@ class PixelBits {
 // above or below. `opaque` is opaquePixels(buffer).
 void drawOutline(const PixelBits& opaque, Rgba8 colour, SpriteBuffer& buffer);
 
+// Only where that neighbour is of another packet (core/trace/picture_packets.h): for those who draw
+// the rest while they have the packet at hand.
+void drawOutlineAtSeams(const PixelBits& opaque, Rgba8 colour, SpriteBuffer& buffer);
+
 }  // namespace voxprite

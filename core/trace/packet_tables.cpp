@@ -61,11 +61,12 @@ void fillBounds(const PixelAxis& axis, int level, int positionBits, int fraction
                 EightInts& centre, EightInts& low, EightInts& high) {
     const double radius =
         std::ceil(std::ldexp(radiusOf(axis, level, positionBits), fractionBits)) + kFixedSlack;
+    const double halfEdge = std::ldexp(0.5, level + fractionBits);
     for (unsigned w = 0; w < 8; ++w) {
         double offset = 0.0;
         for (unsigned a = 0; a < 3; ++a)
-            offset += axis.perVoxel[a] * std::ldexp((w >> a & 1u) != 0 ? 0.5 : -0.5, level);
-        centre[w] = static_cast<std::int32_t>(std::lround(std::ldexp(offset, fractionBits)));
+            offset += axis.perVoxel[a] * ((w >> a & 1u) != 0 ? halfEdge : -halfEdge);
+        centre[w] = static_cast<std::int32_t>(std::lround(offset));
         low[w] = centre[w] - static_cast<std::int32_t>(radius) + (1 << fractionBits) - 1;
         high[w] = centre[w] + static_cast<std::int32_t>(radius);
     }
@@ -106,6 +107,18 @@ bool fillVoxelTest(const LatticeView& lattice, PacketTables& tables) {
     return true;
 }
 
+using WalkMasks = std::array<std::uint8_t, 256>;
+
+constexpr std::array<WalkMasks, 8> kWalkMasks = [] {
+    std::array<WalkMasks, 8> all{};
+    for (unsigned flip = 0; flip < 8; ++flip)
+        for (unsigned mask = 0; mask < 256; ++mask)
+            for (unsigned w = 0; w < 8; ++w)
+                if ((mask >> (w ^ flip) & 1u) != 0)
+                    all[flip][mask] |= static_cast<std::uint8_t>(1u << w);
+    return all;
+}();
+
 }  // namespace
 
 PacketTree::PacketTree(const OctreeView& view, const IBox& castable, glm::bvec3 mirrored, int level)
@@ -118,10 +131,7 @@ PacketTree::PacketTree(const OctreeView& view, const IBox& castable, glm::bvec3 
         box.min[a] = edge - castable.max[a];
         box.max[a] = edge - castable.min[a];
     }
-    for (unsigned mask = 0; mask < 256; ++mask)
-        for (unsigned w = 0; w < 8; ++w)
-            if ((mask >> (w ^ flipOctant) & 1u) != 0)
-                walkMask[mask] |= static_cast<std::uint8_t>(1u << w);
+    walkMask = kWalkMasks[flipOctant];
 }
 
 std::optional<PacketTables> PacketTables::of(const OctreeView& octree, const LatticeView& lattice) {

@@ -182,8 +182,8 @@ TEST(Snapshots, OfAnEmptyModelAreAllSky) {
     for (int view = 0; view < views.count(); ++view) {
         const Snapshot snapshot =
             castSnapshot(empty.view(), lightOf(GameProfile{}), views, view, 16);
-        EXPECT_EQ(snapshot.buffer.colours, std::vector<Rgba8>(256, Rgba8(0)));
-        EXPECT_EQ(snapshot.buffer.ids, std::vector<std::uint32_t>(256, kIdEmpty));
+        EXPECT_EQ(snapshot.buffer.colours, UnfilledVector<Rgba8>(256, Rgba8(0)));
+        EXPECT_EQ(snapshot.buffer.ids, UnfilledVector<std::uint32_t>(256, kIdEmpty));
         EXPECT_EQ(snapshot.depth, std::vector<float>(256, kInfinity));
     }
 }

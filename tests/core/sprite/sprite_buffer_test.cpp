@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/sprite/sprite_key.h"
+#include "core/trace/packet_caster.h"
 #include "tests/core/sprite/subject.h"
 
 namespace voxprite {
@@ -206,6 +207,27 @@ TEST(Outline, IsExactlyTheEmptyCardinalNeighbours) {
             expectExactOutline(
                 castFrom(subject, {angle(random), angle(random) / 2, angle(random)}, sigma));
         }
+}
+
+// Noise whose pixels meet at every seam of four by four packets.
+TEST(Outline, GoesOnFromPacketToPacket) {
+    std::mt19937 random(5);
+    const Subject noise = subjectFrom(
+        {24, 24, 24}, [&](glm::ivec3) -> std::uint8_t { return random() % 50 == 0 ? 1 : 0; });
+    LitPalette bare = plainPalette();
+    bare.outline.enabled = false;
+    for (const double sigma : {7.0, 7.5}) {
+        const LatticeView lattice = viewOf(noise, {31, -22, 5}, sigma).lattice;
+        ASSERT_GT(lattice.size.x, 3 * PacketHits::kEdge);
+        ASSERT_GT(lattice.size.y, 3 * PacketHits::kEdge);
+        const SpriteBuffer sprite = castSprite(noise.octree.view(), lattice, plainPalette());
+        expectExactOutline(sprite);
+        SpriteBuffer dilated = castSprite(noise.octree.view(), lattice, bare);
+        EXPECT_EQ(dilated.outlineCount(), 0u);
+        dilateOutline(dilated, plainPalette().outline.colour);
+        EXPECT_EQ(dilated.ids, sprite.ids);
+        EXPECT_EQ(dilated.colours, sprite.colours);
+    }
 }
 
 TEST(Outline, IsDrawnIntoNothingElseWhateverTheWidth) {
