@@ -238,6 +238,7 @@ class CastBench {
         const auto pictures = static_cast<double>(views.size());
         out_.push_back({{"model", model_.name},
                         {"kind", "sprite"},
+                        {"caster", "packet"},
                         {"ms", outlined / pictures},
                         {"outline_share", outlined / bare - 1.0},
                         {"threads", hardwareThreads()},

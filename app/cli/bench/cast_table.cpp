@@ -26,6 +26,7 @@ std::string rounded(double value, double wholeFrom) {
 struct Row {
     std::string model;
     std::map<std::tuple<std::string, std::string, int>, double> rates;
+    std::string sprite;  // "340 / 200": microseconds of one, by one thread and by all
 
     // 0: not measured.
     [[nodiscard]] double rate(const std::string& kind, const std::string& caster,
@@ -53,10 +54,16 @@ std::string castTable(const Json& figures) {
     std::vector<Row> table;
     std::set<int> threads;
     for (const Json& figure : figures) {
-        if (!figure.contains("mrays_per_s")) continue;
         const std::string model = figure["model"];
         auto row = std::ranges::find(table, model, &Row::model);
-        if (row == table.end()) row = table.insert(table.end(), Row{model, {}});
+        if (row == table.end()) row = table.insert(table.end(), Row{model, {}, {}});
+        if (figure["kind"] == "sprite") {
+            const double microseconds = 1000.0 * figure["ms"].get<double>();
+            const double times = figure["times_one_thread"];
+            row->sprite =
+                rounded(microseconds, 100.0) + " / " + rounded(microseconds / times, 100.0);
+            continue;
+        }
         const int count = figure["threads"];
         threads.insert(count);
         row->rates[{figure["kind"], figure["caster"], count}] = figure["mrays_per_s"];
@@ -67,6 +74,7 @@ std::string castTable(const Json& figures) {
                                      : "packets, " + std::to_string(count) + " threads");
     rows[0].insert(rows[0].end(), kOthers.begin(), kOthers.end());
     rows[0].emplace_back("times nanovdb");
+    rows[0].emplace_back("sprite, µs");
     double logarithms = 0.0;
     int files = 0;
     for (const Row& row : table) {
@@ -83,6 +91,7 @@ std::string castTable(const Json& figures) {
             return theirs > 0.0 ? row.rate(kind, "packet", 1) / theirs : 0.0;
         };
         cells.push_back(Row::both(1e9, times));
+        cells.push_back(row.sprite);
         const bool corpus =
             row.model.find('/') != std::string::npos && !row.model.starts_with("samples/");
         if (!corpus || !(times("parallel") > 0.0)) continue;
