@@ -16,7 +16,7 @@ constexpr int kFewestFractionBits = 4;
 // Fixed-point pixels stay well within 32 bits, sums of two of them included.
 constexpr double kMostFixed = 1 << 29;
 // Fixed-point centres are off by half a unit a level, and the root's by one.
-constexpr double kFixedSlack = kMaxOctreeDepth / 2 + 2;
+constexpr double kFixedSlack = 0.5 * kMaxOctreeDepth + 2.0;
 
 __extension__ using Int128 = __int128;
 
