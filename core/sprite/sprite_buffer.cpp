@@ -62,7 +62,7 @@ class PacketPainter {
         for (int up = 0; up < size.y; ++up) {
             const int row = buffer_.size.y - 1 - corner.y - up;
             std::uint64_t painted = hits.rows[static_cast<std::size_t>(up)];
-            opaque_.row(row)[corner.x / PacketHits::kEdge] = painted;
+            opaque_.strip(corner.x / PacketHits::kEdge)[row] = painted;
             if (lit_.outline.enabled) painted |= outlineBits(hits, up, size);
             const std::size_t start =
                 static_cast<std::size_t>(row) * static_cast<std::size_t>(buffer_.size.x) +

@@ -8,23 +8,24 @@
 
 namespace voxprite {
 
-// A bit a pixel, rows from the top as in SpriteBuffer. Column c is bit c % 64 of word c / 64 of its
-// row; bits beyond the width are 0.
+// A bit a pixel, in upright strips 64 pixels wide: a word for each row, rows from the top as in
+// SpriteBuffer. Column c is bit c % 64 of strip c / 64; bits beyond the width are 0. (Packets side
+// by side write into strips of their own: in rows they would share cache lines.)
 class PixelBits {
   public:
-    PixelBits() = default;
     explicit PixelBits(glm::ivec2 size);
 
-    [[nodiscard]] int words() const { return words_; }  // a row
-    [[nodiscard]] std::uint64_t* row(int row) { return bits_.data() + at(row); }
-    [[nodiscard]] const std::uint64_t* row(int row) const { return bits_.data() + at(row); }
+    [[nodiscard]] int strips() const { return strips_; }
+    [[nodiscard]] std::uint64_t* strip(int strip) { return bits_.data() + at(strip); }
+    [[nodiscard]] const std::uint64_t* strip(int strip) const { return bits_.data() + at(strip); }
 
   private:
-    [[nodiscard]] std::size_t at(int row) const {
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(words_);
+    [[nodiscard]] std::size_t at(int strip) const {
+        return static_cast<std::size_t>(strip) * static_cast<std::size_t>(rows_);
     }
 
-    int words_ = 0;
+    int strips_ = 0;
+    int rows_ = 0;
     std::vector<std::uint64_t> bits_;
 };
 
