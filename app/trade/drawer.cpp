@@ -11,6 +11,7 @@
 #include "core/base/stopwatch.h"
 #include "core/billboard/snapshot_blit.h"
 #include "core/sprite/composite.h"
+#include "core/sprite/sprite_outline.h"
 
 namespace voxprite::trade {
 namespace {

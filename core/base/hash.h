@@ -18,10 +18,9 @@ namespace voxprite {
 // it must withstand them just the same.
 extern const bool kChecksumsCount;
 
-template <class Array>
-[[nodiscard]] ByteView asBytes(const Array& values) {
-    return {reinterpret_cast<const std::uint8_t*>(values.data()),
-            values.size() * sizeof(values[0])};
+template <class T, class Allocator>
+[[nodiscard]] ByteView asBytes(const std::vector<T, Allocator>& values) {
+    return {reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(T)};
 }
 
 }  // namespace voxprite

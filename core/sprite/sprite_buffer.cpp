@@ -33,10 +33,6 @@ std::uint32_t voxelId(glm::ivec3 voxel, glm::ivec3 modelSize) {
     return id < kIdFirstVoxel ? id + kIdFirstVoxel : id;  // never nothing, never outline
 }
 
-void dilateOutline(SpriteBuffer& buffer, Rgba8 colour) {
-    drawOutline(opaquePixels(buffer), colour, buffer);
-}
-
 namespace {
 
 // Colours and numbers of one packet's hits; `corner` is its first pixel's column and its lowest row

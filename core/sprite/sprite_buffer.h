@@ -37,7 +37,4 @@ struct SpriteBuffer {
 [[nodiscard]] SpriteBuffer castSprite(const OctreeView& octree, const LatticeView& lattice,
                                       const LitPalette& lit, int threads = 0);
 
-// Adds the outline: an empty pixel with an opaque cardinal neighbour. Part of castSprite.
-void dilateOutline(SpriteBuffer& buffer, Rgba8 colour);
-
 }  // namespace voxprite

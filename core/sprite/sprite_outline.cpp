@@ -28,13 +28,6 @@ class OutlinePen {
     SpriteBuffer& buffer_;
 };
 
-}  // namespace
-
-PixelBits::PixelBits(glm::ivec2 size)
-    : strips_((size.x + 63) / 64),
-      rows_(size.y),
-      bits_(static_cast<std::size_t>(strips_) * static_cast<std::size_t>(size.y)) {}
-
 PixelBits opaquePixels(const SpriteBuffer& buffer) {
     PixelBits opaque(buffer.size);
     std::size_t at = 0;
@@ -45,7 +38,15 @@ PixelBits opaquePixels(const SpriteBuffer& buffer) {
     return opaque;
 }
 
-void drawOutline(const PixelBits& opaque, Rgba8 colour, SpriteBuffer& buffer) {
+}  // namespace
+
+PixelBits::PixelBits(glm::ivec2 size)
+    : strips_((size.x + 63) / 64),
+      rows_(size.y),
+      bits_(static_cast<std::size_t>(strips_) * static_cast<std::size_t>(size.y)) {}
+
+void dilateOutline(SpriteBuffer& buffer, Rgba8 colour) {
+    const PixelBits opaque = opaquePixels(buffer);
     OutlinePen pen(colour, buffer);
     const int rows = buffer.size.y;
     const std::vector<std::uint64_t> none(static_cast<std::size_t>(rows));

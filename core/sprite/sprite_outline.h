@@ -29,14 +29,12 @@ class PixelBits {
     std::vector<std::uint64_t> bits_;
 };
 
-[[nodiscard]] PixelBits opaquePixels(const SpriteBuffer& buffer);
-
 // Makes every pixel an outline that is not opaque and has an opaque neighbour to its left or right,
-// above or below. `opaque` is opaquePixels(buffer).
-void drawOutline(const PixelBits& opaque, Rgba8 colour, SpriteBuffer& buffer);
+// above or below: the outline of a sprite that has none.
+void dilateOutline(SpriteBuffer& buffer, Rgba8 colour);
 
-// Only where that neighbour is of another packet (core/trace/picture_packets.h): for those who draw
-// the rest while they have the packet at hand.
+// Only where that neighbour is of another packet (core/trace/picture_packets.h): castSprite() draws
+// the rest while it has the packet at hand. `opaque` has a bit for each hit.
 void drawOutlineAtSeams(const PixelBits& opaque, Rgba8 colour, SpriteBuffer& buffer);
 
 }  // namespace voxprite

@@ -23,7 +23,7 @@
 #include "core/base/parallel.h"
 #include "core/base/thread_stopwatch.h"
 #include "core/model/game_profile.h"
-#include "core/sprite/sprite_outline.h"
+#include "core/sprite/sprite_buffer.h"
 #include "core/sprite/sprite_view.h"
 #include "core/sprite/voxel_placement.h"
 #include "core/trace/lattice_caster.h"

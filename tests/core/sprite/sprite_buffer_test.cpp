@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/sprite/sprite_key.h"
+#include "core/sprite/sprite_outline.h"
 #include "core/trace/packet_caster.h"
 #include "tests/core/sprite/subject.h"
 
