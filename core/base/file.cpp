@@ -68,8 +68,12 @@ Status writeTemporary(const std::filesystem::path& temporary, const std::filesys
     FileDescriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (!file.isOpen()) return systemFailure(path, "cannot be written");
     struct stat old {};
-    // A file that is there keeps its permissions; a new one has those of the process.
-    if (::stat(path.c_str(), &old) == 0 && ::fchmod(file.get(), old.st_mode & 07777) != 0) {
+    struct stat made {};
+    // A file that is there keeps its permissions; a new one has those of the process. Asked for
+    // only where they differ, since network shares may refuse any change of them.
+    const bool differs = ::stat(path.c_str(), &old) == 0 && ::fstat(file.get(), &made) == 0 &&
+                         old.st_mode != made.st_mode;
+    if (differs && ::fchmod(file.get(), old.st_mode & 07777) != 0) {
         return systemFailure(path, "cannot keep its permissions");
     }
     if (!writeAll(file.get(), bytes)) return systemFailure(path, "cannot be written");
@@ -123,6 +127,12 @@ Destination destinationOf(const std::filesystem::path& requested) {
     return to;
 }
 
+// The folder alone decides whether a file can be replaced; who made it read-only meant the file.
+Status checkNotReadOnly(const std::filesystem::path& path) {
+    if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0 || errno == ENOENT) return {};
+    return systemFailure(path, "cannot be written");
+}
+
 }  // namespace
 
 std::optional<FileStamp> stampOf(const std::filesystem::path& path) {
@@ -157,6 +167,14 @@ Result<std::string> readTextFile(const std::filesystem::path& path) {
         [](const Bytes& bytes) { return std::string(bytes.begin(), bytes.end()); });
 }
 
+Status checkWritable(const std::filesystem::path& requested) {
+    const auto [path, descriptor] = destinationOf(requested);
+    if (descriptor || isStream(requested)) return {};
+    if (Status may = checkNotReadOnly(path); !may) return may;
+    if (::faccessat(AT_FDCWD, folderOf(path).c_str(), W_OK | X_OK, AT_EACCESS) == 0) return {};
+    return systemFailure(path, "cannot be written");
+}
+
 Status writeFileAtomically(const std::filesystem::path& requested, ByteView bytes) {
     if (isStream(requested)) {
         return writeToStream(FileDescriptor(::open(requested.c_str(), O_WRONLY | O_CLOEXEC)),
@@ -164,11 +182,7 @@ Status writeFileAtomically(const std::filesystem::path& requested, ByteView byte
     }
     const auto [path, descriptor] = destinationOf(requested);
     if (descriptor) return writeToStream(FileDescriptor(::dup(*descriptor)), requested, bytes);
-    // The folder alone decides whether a file can be replaced; who made it read-only meant the
-    // file.
-    if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0 && errno != ENOENT) {
-        return systemFailure(path, "cannot be written");
-    }
+    if (Status may = checkNotReadOnly(path); !may) return may;
     const std::filesystem::path folder = folderOf(path);
     // Names may have 255 bytes: room for what is added.
     constexpr std::size_t kKept = 200;

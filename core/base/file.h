@@ -28,6 +28,9 @@ struct FileStamp {
 
 [[nodiscard]] Result<Bytes> readFile(const std::filesystem::path& path);
 [[nodiscard]] Result<std::string> readTextFile(const std::filesystem::path& path);
+// What would keep a file from being written there, as far as the name and the folder tell: for
+// whoever writes several files that belong together.
+[[nodiscard]] Status checkWritable(const std::filesystem::path& path);
 [[nodiscard]] Status writeFileAtomically(const std::filesystem::path& path, ByteView bytes);
 [[nodiscard]] Status writeFileAtomically(const std::filesystem::path& path,
                                          const std::string& text);

@@ -28,11 +28,19 @@ std::string identityOf(const fs::path& path) {
     return (error ? path.lexically_normal() : whole).string();
 }
 
-// Where an output will lie: numbered pictures are layers of one stack, whatever their numbers.
-std::string placeOf(const fs::path& output, Format to) {
+// Where an output will lie, with what is named after it. Numbered pictures are layers of one stack,
+// whatever their numbers.
+std::vector<std::string> placesOf(const fs::path& output, Format to) {
     const std::optional<SliceName> layer = to == Format::png ? sliceNameOf(output) : std::nullopt;
-    if (!layer || !isSurelyNumbered(*layer)) return output.string();
-    return (output.parent_path() / (layer->beginning + "*.png")).string();
+    if (layer && isSurelyNumbered(*layer)) {
+        return {(output.parent_path() / (layer->beginning + "*.png")).string()};
+    }
+    if (to != Format::obj) return {output.string()};
+    std::vector<std::string> places;
+    for (const std::string& name : infoOf(to).names(output.filename(), Document())) {
+        places.push_back((output.parent_path() / name).string());
+    }
+    return places;
 }
 
 class Batch {
@@ -130,8 +138,9 @@ Result<std::vector<BatchItem>> planBatch(const std::vector<fs::path>& inputs,
         // A folder of layers may be named with a slash at its end.
         const fs::path named = input.has_filename() ? input : input.parent_path();
         const fs::path output = folder / (named.stem().string() + infoOf(to).ending);
-        const auto [known, isNew] = inputOf.try_emplace(placeOf(output, to), input);
-        if (!isNew) {
+        for (const std::string& place : placesOf(output, to)) {
+            const auto [known, isNew] = inputOf.try_emplace(place, input);
+            if (isNew) continue;
             return failInFile(input.string(), "would be written to " + known->first +
                                                   ", as would " + known->second.string() +
                                                   "; nothing was converted");

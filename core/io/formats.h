@@ -132,7 +132,8 @@ struct FormatInfo {
                                                                   const Document& document);
 // Each file atomically, the one that refers to the others last. For .svo this is the verified
 // export: the bytes are read back and compared voxel by voxel before the file appears under its
-// name. Asked to stop while it works it fails, having written nothing.
+// name. Asked to stop before it writes the first it fails, having written nothing; then it goes on
+// to its end.
 [[nodiscard]] Status saveDocument(const std::filesystem::path& path, const Document& document,
                                   const GameProfile& profile, std::stop_token stop = {},
                                   const WriteOptions& options = {});

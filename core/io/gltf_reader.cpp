@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 #include <map>
 #include <set>
+#include <string_view>
 
 #include "core/io/gltf_buffers.h"
 #include "core/io/gltf_materials.h"
@@ -20,11 +21,15 @@ namespace {
 // Modes of primitives.
 constexpr int kTriangles = 4, kStrip = 5, kFan = 6;
 
-// What changes only looks, or is read.
+// What changes only looks or motion, or is read. (Textures that cannot be read are left out one by
+// one, with a warning.)
 bool isHarmless(const std::string& extension) {
+    static constexpr std::array<std::string_view, 7> kKnown{
+        "KHR_texture_transform", "KHR_mesh_quantization", "KHR_xmp_json_ld",
+        "KHR_animation_pointer", "KHR_texture_basisu",    "EXT_texture_webp",
+        "MSFT_texture_dds"};
     return extension.starts_with("KHR_materials_") || extension.starts_with("KHR_lights_") ||
-           extension == "KHR_texture_transform" || extension == "KHR_mesh_quantization" ||
-           extension == "KHR_xmp_json_ld";
+           std::ranges::find(kKnown, extension) != kKnown.end();
 }
 
 std::vector<double> numbersOf(const JsonValue& value, std::size_t count) {

@@ -86,6 +86,22 @@ std::string numbersOf(Rgba8 colour) {
 
 constexpr Rgba8 kVacant{0, 0, 0, 0};
 
+// The colours of squares side by side, each of one colour and as high as the picture; none where
+// the picture is something else.
+std::optional<std::vector<Rgba8>> squaresOf(const Image& image) {
+    if (image.width % image.height != 0) return std::nullopt;
+    std::vector<Rgba8> colours;
+    for (int x = 0; x < image.width; x += image.height) colours.push_back(image.at(x, 0));
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            if (image.at(x, y) != colours[static_cast<std::size_t>(x / image.height)]) {
+                return std::nullopt;
+            }
+        }
+    }
+    return colours;
+}
+
 }  // namespace
 
 Result<ColourList> readGimpPalette(std::string_view text) {
@@ -189,8 +205,9 @@ Result<ColourList> readPalettePicture(ByteView png) {
     const Result<Image> image = readPng(png);
     if (!image) return Failure(image.error());
     ColourList colours;
-    if (image->pixels.size() <= kMostColours + 1) {
-        for (const Rgba8 pixel : image->pixels) {
+    const std::vector<Rgba8> places = squaresOf(*image).value_or(image->pixels);
+    if (places.size() <= kMostColours + 1) {
+        for (const Rgba8 pixel : places) {
             const Rgba8 opaque(pixel.x, pixel.y, pixel.z, 255);
             colours.push_back({pixel.w == 0 ? kVacant : opaque, {}});
         }

@@ -7,8 +7,9 @@
 //       "red green blue" a line; a fourth number, alpha, is read over.
 // .png  a pixel a colour, row by row. Written 256 x 1, the last pixel transparent, as MagicaVoxel
 //       has it. Read: of up to 256 pixels each is a colour (but the 256th, which has no place), a
-//       transparent one a vacant place; of a larger picture (swatches drawn large) every
-//       different opaque colour once, in the order of reading, 255 at most.
+//       transparent one a vacant place, and so is each of squares side by side, drawn large
+//       (lospec's 8x and 32x); of a larger picture of another kind every different opaque colour
+//       once, in the order of reading, 255 at most.
 //
 // Text may end its lines either way and is taken byte by byte; errors name the line, and in a
 // picture the byte.

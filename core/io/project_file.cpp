@@ -40,14 +40,25 @@ Result<Bytes> writeProject(const Document& document, const AuthoredValues& autho
     if (Status valid = validate(document); !valid) return Failure(valid.error());
     std::vector<VoxelEntry> voxelEntries;
     std::vector<ZipEntry> entries(1);
+    std::uint64_t bytesLeft = kMaxProjectVoxelBytes;
     for (const Model& model : document.models) {
         Result<Bytes> payload = writeVoxelPayload(model.voxels);
         if (!payload) return Failure(payload.error());
+        if (payload->size() > bytesLeft) {
+            return fail("the voxels of all models would take more than the " +
+                        std::to_string(kMaxProjectVoxelBytes >> 30) + " GiB that can be read back");
+        }
+        bytesLeft -= payload->size();
         const std::string name = "models/" + std::to_string(voxelEntries.size()) + ".voxels";
         voxelEntries.push_back({name, crc32(*payload), model.voxels.solidCount()});
         entries.push_back({name, std::move(*payload)});
     }
     const std::string json = writeProjectJson(document, authored, voxelEntries);
+    if (json.size() > kMaxProjectJsonBytes) {
+        return fail("the scene, without voxels, would take " + std::to_string(json.size() >> 20) +
+                    " MiB; " + std::to_string(kMaxProjectJsonBytes >> 20) +
+                    " MiB can be read back. Fewer objects or keys take less");
+    }
     entries.front() = {kProjectEntry, Bytes(json.begin(), json.end())};
     return writeZip(entries);
 }

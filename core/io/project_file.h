@@ -17,12 +17,12 @@
 
 namespace voxprite {
 
-// What a file may claim to inflate to; more is refused before memory is taken.
+// What a file may claim to inflate to; more is refused before memory is taken, and never written.
 inline constexpr std::uint64_t kMaxProjectJsonBytes = std::uint64_t{64} << 20;
 inline constexpr std::uint64_t kMaxProjectVoxelBytes = std::uint64_t{2} << 30;  // all models
 
-// Fails on a document that is not valid. `authored` is written instead of the document's own record
-// (the profile's values at the time of saving).
+// Fails on a document that is not valid or larger than could be read back. `authored` is written
+// instead of the document's own record (the profile's values at the time of saving).
 [[nodiscard]] Result<Bytes> writeProject(const Document& document, const AuthoredValues& authored);
 [[nodiscard]] Result<Bytes> writeProject(const Document& document);
 // All or nothing; bounded: sizes claimed in the file are checked before memory is taken.

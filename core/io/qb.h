@@ -21,6 +21,9 @@
 // Objects     A matrix is an object at the root with a model of its own, whose canvas is the
 //             matrix and begins at -floor(size / 2), or at its position where the object would
 //             reach beyond the range of voxels else. Later ones win where they overlap.
+// Flaws       A matrix without size is an empty object over the origin; fewer matrices than
+//             announced are taken where the file ends between two (Goxel counts empty layers, but
+//             writes none): both with a warning.
 // Voxels      A voxel is solid where A is not 0, with or without mask. (Some writers leave the
 //             inside of solid parts out together with a mask; it cannot be told from empty space.)
 // Colours     R, G and B; reduced to the palette's 255 where there are more

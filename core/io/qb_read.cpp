@@ -27,6 +27,8 @@ struct QbMatrix {
     [[nodiscard]] std::uint64_t sliceCells() const {
         return static_cast<std::uint64_t>(size[0]) * size[1];
     }
+    // A layer that was empty: it has no cells, and some programs give it no place that counts.
+    [[nodiscard]] bool hasNoSize() const { return std::ranges::count(size, 0u) > 0; }
 };
 
 Result<bool> readChoice(ByteReader& reader, const std::string& what) {
@@ -70,6 +72,7 @@ Result<QbHeader> readQbHeader(ByteReader& reader) {
 template <class Cells>
 Status forEachRun(const QbHeader& header, const QbMatrix& matrix, ByteReader& reader,
                   const Cells& cells) {
+    if (matrix.hasNoSize()) return {};
     const std::uint64_t sliceCells = matrix.sliceCells();
     for (std::uint32_t slice = 0; slice < matrix.size[2]; ++slice) {
         std::uint64_t index = 0;
@@ -112,6 +115,7 @@ Rgba8 rgbFrom(const QbHeader& header, std::uint32_t word) {
 
 // The space that a matrix takes, its corner where the file's axes have it brought to ours.
 Result<IBox> placeOf(const QbHeader& header, const QbMatrix& matrix) {
+    if (matrix.hasNoSize()) return IBox{glm::ivec3(0), glm::ivec3(1)};
     std::array<std::int64_t, 3> low{}, high{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         low[axis] = matrix.position[axis];
@@ -123,9 +127,6 @@ Result<IBox> placeOf(const QbHeader& header, const QbMatrix& matrix) {
         low[2] = lowest;
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (matrix.size[axis] == 0) {
-            return failAtByte(matrix.offset, "the matrix \"" + matrix.name + "\" has no size");
-        }
         if (low[axis] < -kMaxCoordinate || high[axis] > kMaxCoordinate) {
             return failAtByte(matrix.offset, "the matrix \"" + matrix.name +
                                                  "\" lies outside the range of voxels, +-" +
@@ -159,11 +160,11 @@ Result<QbMatrix> readMatrixHead(ByteReader& reader) {
     return matrix;
 }
 
-// Where each matrix is and which colours there are.
+// Where each matrix is and which colours there are. A file may end where a matrix would begin.
 Result<std::vector<QbMatrix>> scan(const QbHeader& header, ByteReader& reader,
                                    ColourCount& colours) {
     std::vector<QbMatrix> matrices;
-    for (std::uint32_t k = 0; k < header.matrices; ++k) {
+    for (std::uint32_t k = 0; k < header.matrices && !(k > 0 && reader.atEnd()); ++k) {
         Result<QbMatrix> matrix = readMatrixHead(reader);
         if (!matrix) return Failure(matrix.error());
         if (const Result<IBox> place = placeOf(header, *matrix); !place) {
@@ -231,6 +232,14 @@ Result<QbImport> readQb(ByteView bytes) {
     QbImport import;
     Document& document = import.document;
     document.palette = colours.palette;
+    if (matrices->size() < header->matrices) {
+        import.warnings.push_back("the file announces " + std::to_string(header->matrices) +
+                                  " matrices and ends after " + std::to_string(matrices->size()));
+    }
+    if (const auto none = std::ranges::count_if(*matrices, &QbMatrix::hasNoSize); none > 0) {
+        import.warnings.push_back("matrices without size are read as empty objects: " +
+                                  std::to_string(none));
+    }
     GridBudget budget(bytes.size());
     for (QbMatrix& matrix : *matrices) {
         const Result<IBox> place = placeOf(*header, matrix);

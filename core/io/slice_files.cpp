@@ -20,11 +20,14 @@ fs::path folderOf(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-using Numbered = std::map<int, fs::path>;
+struct Series {
+    std::map<int, fs::path> files;  // by number
+    Status numbersDiffer{};
+};
 
 // The numbered pictures of a folder, by what their names begin with.
-Result<std::map<std::string, Numbered>> seriesIn(const fs::path& folder, bool all) {
-    std::map<std::string, Numbered> series;
+Result<std::map<std::string, Series>> seriesIn(const fs::path& folder, bool all) {
+    std::map<std::string, Series> series;
     std::error_code error;
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
         if (lowerEndingOf(it->path()) != ".png") continue;
@@ -34,20 +37,22 @@ Result<std::map<std::string, Numbered>> seriesIn(const fs::path& folder, bool al
                               "is no numbered layer like the folder's others should be");
         }
         if (!name) continue;
-        const auto [place, isNew] = series[name->beginning].try_emplace(name->number, it->path());
+        Series& its = series[name->beginning];
+        const auto [place, isNew] = its.files.try_emplace(name->number, it->path());
         if (!isNew) {
-            return failInFile(it->path().string(),
-                              "has the same number as " + place->second.filename().string());
+            its.numbersDiffer = failInFile(
+                it->path().string(), "has the same number as " + place->second.filename().string());
         }
     }
     if (error) return failInFile(folder.string(), "cannot be listed: " + error.message());
     return series;
 }
 
-Result<SliceFiles> stackOf(const std::string& beginning, const Numbered& numbered) {
+Result<SliceFiles> stackOf(const std::string& beginning, const Series& series) {
+    if (!series.numbersDiffer) return Failure(series.numbersDiffer.error());
     SliceFiles stack;
-    int next = numbered.begin()->first;
-    for (const auto& [number, file] : numbered) {
+    int next = series.files.begin()->first;
+    for (const auto& [number, file] : series.files) {
         if (number != next) {
             return failInFile(file.string(), "the layer before it is missing, number " +
                                                  std::to_string(number - 1) + " of " + beginning);
@@ -109,11 +114,10 @@ Result<SliceFiles> sliceFilesOf(const fs::path& path) {
         return isSurelyNumbered(*name) ? Result<SliceFiles>(Failure(series.error())) : alone;
     const auto found = series->find(name->beginning);
     if (found == series->end()) return alone;
-    const Numbered& numbered = found->second;
-    const bool neighbours =
-        numbered.contains(name->number - 1) || numbered.contains(name->number + 1);
+    const std::map<int, fs::path>& files = found->second.files;
+    const bool neighbours = files.contains(name->number - 1) || files.contains(name->number + 1);
     if (!isSurelyNumbered(*name) && !neighbours) return alone;
-    return stackOf(name->beginning, numbered);
+    return stackOf(name->beginning, found->second);
 }
 
 Status checkNeighbours(const fs::path& path, std::size_t layers) {
@@ -123,8 +127,9 @@ Status checkNeighbours(const fs::path& path, std::size_t layers) {
     if (!series) return {};  // what cannot be listed will say so when it is written to
     const auto found = series->find(name->beginning);
     if (found == series->end()) return {};
+    if (!found->second.numbersDiffer) return found->second.numbersDiffer;
     const int end = name->number + static_cast<int>(layers);
-    for (const auto& [number, file] : found->second) {
+    for (const auto& [number, file] : found->second.files) {
         if (number >= name->number && number < end) continue;
         return failInFile(file.string(),
                           "is of another stack of the same name and would be read as a layer of "

@@ -5,9 +5,10 @@
 //
 // Models      A model's pivot is floor(size / 2) and becomes the origin of its model space: voxel v
 //             of the file is v - floor(size / 2) here, and canvas.min is -floor(size / 2). Of two
-//             voxels in one place the later counts; colour 0 is left out; a voxel outside its SIZE
-//             is an error. MagicaVoxel's sizes end at 256; up to 2048 are read (positions are bytes
-//             all the same). A size of 0 counts as 1. Models without voxels are kept.
+//             voxels in one place the later counts; colour 0 is left out, and so, with a warning,
+//             is a voxel outside its SIZE. MagicaVoxel's sizes end at 256; up to 2048 are read
+//             (positions are bytes all the same). A size of 0 counts as 1. Models without voxels
+//             are kept.
 // Placement   A transform turns cells about the pivot as continuous space, so that a mirrored axis
 //             sends cell v to -v - 1 and parts of odd and even sizes meet.
 // Scene       A transform and the group or shape below it are one SceneNode, named by the

@@ -180,7 +180,6 @@ class ChunkParser {
         }
         sizeOffset_.reset();
         const std::uint32_t count = fields.count(4, "XYZI");
-        const std::uint64_t first = fields.offset();
         const ByteView voxels = fields.take(std::uint64_t{count} * 4, "the voxels");
         if (!fields.ok()) return;
 
@@ -188,18 +187,14 @@ class ChunkParser {
         const glm::ivec3 canvas = glm::max(size_, glm::ivec3(1));
         const glm::ivec3 pivot = canvas / 2;
         model.canvas = {-pivot, canvas - pivot};
-        std::size_t colourless = 0;
+        std::size_t colourless = 0, outside = 0;
         BlockCount blocks(pivot);
         for (std::size_t i = 0; i < voxels.size(); i += 4) {
             const glm::ivec3 v(voxels[i], voxels[i + 1], voxels[i + 2]);
-            if (!IBox{glm::ivec3(0), canvas}.contains(v)) {
-                fields.refuse(first + i, "voxel " + std::to_string(v.x) + ", " +
-                                             std::to_string(v.y) + ", " + std::to_string(v.z) +
-                                             " lies outside its model");
-                return;
-            }
             if (voxels[i + 3] == 0) {
                 ++colourless;
+            } else if (!IBox{glm::ivec3(0), canvas}.contains(v)) {
+                ++outside;
             } else {
                 model.voxels.set(v - pivot, voxels[i + 3]);
                 blocks.add(v);
@@ -210,11 +205,13 @@ class ChunkParser {
             fields.refuse(at, "the voxels are so scattered that they would take more than " +
                                   std::to_string(maxBlockBytes_ >> 20) + " MiB");
         }
-        if (colourless > 0) {
+        const auto tellLeftOut = [&](std::size_t number, const char* why) {
+            if (number == 0) return;
             file_.warnings.add("model " + std::to_string(file_.models.size()) + ": " +
-                               std::to_string(colourless) +
-                               " voxels have colour 0, which is empty; they are left out");
-        }
+                               std::to_string(number) + " voxels " + why + "; they are left out");
+        };
+        tellLeftOut(colourless, "have colour 0, which is empty");
+        tellLeftOut(outside, "lie outside its size");
         file_.models.push_back(std::move(model));
     }
 

@@ -211,7 +211,8 @@ class SceneWriter {
             // What stands still until it jumps must be told to.
             const PlacementKey& next = node.placements[i + 1];
             if (!node.glides && next.frame > frame + 1 &&
-                next.placement.translation != placement.translation) {
+                movedTo(pivot, next.placement).translation !=
+                    movedTo(pivot, placement).translation) {
                 addKey(next.frame - 1, placement, {});
             }
         }

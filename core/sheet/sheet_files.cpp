@@ -147,6 +147,10 @@ Status writeSheetFiles(std::span<const SheetFile> files, bool replaceNeighbours)
     if (!files.empty() && !replaceNeighbours) {
         if (Status kept = keepNeighbours(files); !kept) return kept;
     }
+    // The turntable may lie elsewhere; without it the old text would stand beside a new picture.
+    for (const SheetFile& file : files) {
+        if (Status may = checkWritable(file.path); !may) return may;
+    }
     for (const SheetFile& file : files) {
         if (Status written = writeFileAtomically(file.path, file.bytes); !written) return written;
     }

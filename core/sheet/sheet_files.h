@@ -41,9 +41,10 @@ struct SheetFile {
 [[nodiscard]] std::vector<std::filesystem::path> replacedBySheet(
     const Palette& palette, const SheetOptions& options, const std::filesystem::path& output,
     const std::optional<Turntable>& turntable = {});
-// Each atomically, in order; ends at the first that fails. What sheetFiles() made: of the files
-// that were not asked for, those there belong to an earlier sheet where its text refers to them.
-// Another's are kept, and nothing is written, unless `replaceNeighbours`.
+// Each atomically, in order; ends at the first that fails. Nothing is written where one of them
+// surely could not be. What sheetFiles() made: of the files that were not asked for, those there
+// belong to an earlier sheet where its text refers to them. Another's are kept, and nothing is
+// written, unless `replaceNeighbours`.
 [[nodiscard]] Status writeSheetFiles(std::span<const SheetFile> files,
                                      bool replaceNeighbours = false);
 

@@ -127,6 +127,20 @@ TEST(File, AMissingFolderIsAnErrorThatNamesTheFile) {
     EXPECT_EQ(entriesIn(folder.path()), 0u);
 }
 
+TEST(File, WhatCannotBeWrittenIsKnownBefore) {
+    const TemporaryFolder folder;
+    const std::filesystem::path missing = folder / "missing" / "a";
+    const Status may = checkWritable(missing);
+    ASSERT_FALSE(may);
+    EXPECT_EQ(may.error().describe(),
+              writeFileAtomically(missing, std::string("a")).error().describe());
+    std::filesystem::create_symlink("missing/a", folder / "link");
+    EXPECT_FALSE(checkWritable(folder / "link"));
+    EXPECT_TRUE(checkWritable(folder / "a"));
+    EXPECT_TRUE(checkWritable("/dev/null"));
+    EXPECT_EQ(entriesIn(folder.path()), 1u);
+}
+
 // Root may write to everything; so the test is somebody else for a moment.
 TEST(File, AFileThatIsReadOnlyIsNotReplaced) {
     const TemporaryFolder folder;
@@ -136,11 +150,13 @@ TEST(File, AFileThatIsReadOnlyIsNotReplaced) {
     ASSERT_EQ(::chmod(folder.path().c_str(), 0777), 0);
     ASSERT_EQ(::chmod((folder / "a").c_str(), 0444), 0);
     ASSERT_TRUE(!isRoot || ::seteuid(kNobody) == 0);
+    const Status known = checkWritable(folder / "a");
     const Status refused = writeFileAtomically(folder / "a", std::string("second"));
     const Status beside = writeFileAtomically(folder / "b", std::string("new"));
     ASSERT_TRUE(!isRoot || ::seteuid(0) == 0);
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("Permission denied"), std::string::npos);
+    EXPECT_FALSE(known);
     EXPECT_TRUE(beside);
     EXPECT_EQ(readTextFile(folder / "a").value(), "first");
     EXPECT_EQ(entriesIn(folder.path()), 2u);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/ptrace.h>
 #include <sys/reg.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/user.h>
 #include <sys/wait.h>
@@ -135,6 +136,7 @@ TEST(InterruptedSave, AFailureOfAnySystemCallIsToldAndLosesNothing) {
             const TemporaryFolder folder;
             const std::filesystem::path path = folder / "model";
             ASSERT_TRUE(writeFileAtomically(path, kOld));
+            ASSERT_EQ(::chmod(path.c_str(), 0640), 0);  // not those of a new file
             const int outcome = saveWithFailure(path, n, error);
             if (outcome < 0) break;
             ASSERT_LT(n, 100);
@@ -148,6 +150,28 @@ TEST(InterruptedSave, AFailureOfAnySystemCallIsToldAndLosesNothing) {
         EXPECT_GE(refused, 6);
         EXPECT_GE(saved, 1);
     }
+}
+
+// Network shares may take no permissions from anybody, not even those that a file has.
+TEST(InterruptedSave, PermissionsAreSetOnlyWhereTheyDiffer) {
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder / "model";
+    const auto timesSet = [&] {
+        const pid_t child = startSaving(path);
+        EXPECT_TRUE(begin(child));
+        int status = 0, times = 0;
+        for (bool entering = true; nextStop(child, status); entering = !entering) {
+            user_regs_struct registers{};
+            ::ptrace(PTRACE_GETREGS, child, nullptr, &registers);
+            times += entering && registers.orig_rax == SYS_fchmod ? 1 : 0;
+        }
+        return times;
+    };
+    ASSERT_TRUE(writeFileAtomically(path, kOld));
+    EXPECT_EQ(timesSet(), 0);
+    EXPECT_EQ(contentOf(path), kNew);
+    ASSERT_EQ(::chmod(path.c_str(), 0640), 0);
+    EXPECT_EQ(timesSet(), 1);
 }
 #endif
 

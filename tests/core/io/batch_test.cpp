@@ -41,6 +41,10 @@ TEST(Batch, IsPlannedBeforeAnyWork) {
         "was converted");
     EXPECT_TRUE(planBatch({"a/walk_000.vox", "a/run_001.vox", "a/8.vox"}, "out", Format::png));
     EXPECT_TRUE(planBatch({"a/walk_000.vox", "a/walk_001.vox"}, "out", Format::svo));
+    // Nor may what lies beside them: materials and pictures have names without blanks.
+    EXPECT_THAT(planBatch({"a b.vox", "a_b.vox"}, "out", Format::obj).error().describe(),
+                HasSubstr("a_b.vox: would be written to out/a_b.png, as would a b.vox"));
+    EXPECT_TRUE(planBatch({"a b.vox", "a_b.vox"}, "out", Format::glb));
     // Neither itself nor another input may be overwritten, by whatever name.
     EXPECT_THAT(planBatch({"a/hut.vox"}, "a/../a", Format::vox).error().describe(),
                 HasSubstr("is an input"));

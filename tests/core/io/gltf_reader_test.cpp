@@ -163,6 +163,19 @@ TEST(GltfReader, TheOlderWayOfMaterialsIsRead) {
               Rgba8(255, 0, 0, 255));
 }
 
+// Files without another picture have to require what their textures are made of.
+TEST(GltfReader, TexturesThatAreNotReadDoNotRefuseTheMesh) {
+    const MeshImport import = read(triangleGlb(
+        R"([{"mesh":0}])",
+        R"(,"extensionsRequired":["EXT_texture_webp"],"materials":[{"pbrMetallicRoughness":{)"
+        R"("baseColorFactor":[1,0,0,1],"baseColorTexture":{"index":0}}}],"textures":[{)"
+        R"("extensions":{"EXT_texture_webp":{"source":0}}}],"images":[{"uri":"a.webp"}])",
+        R"(,"material":0)"));
+    EXPECT_THAT(import.warnings, ElementsAre(HasSubstr("the texture has no PNG or JPEG")));
+    EXPECT_EQ(colourAt(import.mesh, import.mesh.triangles.at(0), glm::dvec3(1.0 / 3.0)),
+              Rgba8(255, 0, 0, 255));
+}
+
 // A triangle (0,0,0), (4,0,0), (0,2,0) whose corners hang on joint 0, on joint 1, and on both.
 Bytes skinnedGlb(const std::string& nodes, const std::string& skin) {
     Chunk chunk;
@@ -289,6 +302,7 @@ TEST(GltfReader, WhatIsWrongIsNamed) {
     EXPECT_THAT(errorOf(with(R"(,"extensionsRequired":["KHR_draco_mesh_compression"])")),
                 HasSubstr("requires KHR_draco_mesh_compression"));
     EXPECT_EQ(errorOf(with(R"(,"extensionsRequired":["KHR_materials_unlit"])")), "no error");
+    EXPECT_EQ(errorOf(with(R"(,"extensionsRequired":["KHR_animation_pointer"])")), "no error");
     EXPECT_THAT(errorOf(triangleGlb(R"([{"mesh":0}])", "", R"(,"material":0)")),
                 HasSubstr("material"));
 

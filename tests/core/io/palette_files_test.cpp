@@ -86,6 +86,16 @@ TEST(PaletteFiles, PicturesAreAPixelAColourOrLargeSwatches) {
     const auto twice = readPalettePicture(
         pngOf(3, 1, {Rgba8(5, 5, 5, 255), Rgba8(5, 5, 5, 255), Rgba8(6, 6, 6, 128)}));
     EXPECT_EQ(*twice, (ColourList{named(5, 5, 5), named(5, 5, 5), named(6, 6, 6)}));
+    // Four squares of 8 x 8, no more than 256 pixels; the last as dark as the first.
+    std::vector<Rgba8> four;
+    for (int y = 0; y < 8; ++y) {
+        for (int x = 0; x < 32; ++x) four.emplace_back(x / 8 % 3 * 100, 9, 9, 255);
+    }
+    EXPECT_EQ(*readPalettePicture(pngOf(32, 8, four)),
+              (ColourList{named(0, 9, 9), named(100, 9, 9), named(200, 9, 9), named(0, 9, 9)}));
+    // A row of pixels over another is no such squares.
+    four[0].z = 10;
+    EXPECT_EQ(readPalettePicture(pngOf(32, 8, four))->size(), 255u);
     // Swatches of 16 x 16.
     std::vector<Rgba8> swatches;
     for (int y = 0; y < 16; ++y) {

@@ -147,6 +147,15 @@ TEST(ProjectFile, RefusesToWriteAnInvalidDocument) {
     EXPECT_FALSE(writeProject(document));
 }
 
+// What could not be opened again must not replace what can.
+TEST(ProjectFile, RefusesToWriteMoreThanItReads) {
+    Document document = Document::withEmptyModel();
+    document.nodes[1].name.assign(kMaxProjectJsonBytes, 'n');
+    const Result<Bytes> written = writeProject(document);
+    ASSERT_FALSE(written);
+    EXPECT_NE(written.error().message.find("64 MiB can be read back"), std::string::npos);
+}
+
 TEST(ProjectFile, WrongJsonIsNamedByLineOrField) {
     const Bytes good = written(Document::withEmptyModel());
     const std::string json = projectJson(good);

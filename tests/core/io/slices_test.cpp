@@ -127,6 +127,24 @@ TEST(Slices, AStackIsAFileALayer) {
     EXPECT_THAT(readSlices(folder.path()).error().message, HasSubstr("no numbered layer"));
 }
 
+TEST(Slices, PicturesBesideAStackAreNoMatterOfIt) {
+    const test::TemporaryFolder folder;
+    const auto box = [](int height) { return test::documentOf(test::solidBox({1, 1, height})); };
+    ASSERT_TRUE(saveDocument(folder / "hut_000.png", box(4), GameProfile{}));
+    for (const char* icon : {"icon1.png", "icon01.png"}) {
+        write(folder / icon, handmadePng(1, 1, 8, 0, {1}));
+    }
+    EXPECT_EQ(must(readSlices(folder / "hut_000.png")).document.models[0].voxels.solidCount(), 4u);
+    EXPECT_THAT(saveDocument(folder / "hut_000.png", box(3), GameProfile{}).error().describe(),
+                HasSubstr("of another stack"));
+    // The same number twice counts where it is part of the stack.
+    write(folder / "hut_0001.png", handmadePng(1, 1, 8, 0, {1}));
+    EXPECT_THAT(readSlices(folder / "hut_000.png").error().describe(),
+                HasSubstr("has the same number as hut_0"));
+    EXPECT_THAT(saveDocument(folder / "hut_000.png", box(4), GameProfile{}).error().describe(),
+                HasSubstr("has the same number as hut_0"));
+}
+
 TEST(Slices, AStackThatLacksItsTopIsTold) {
     const test::TemporaryFolder folder;
     for (const SlicePicture& picture :

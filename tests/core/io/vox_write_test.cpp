@@ -202,6 +202,9 @@ TEST(VoxWrite, AModelThatFitsStaysOneObjectWhereverItGrew) {
         // A turn about another pivot glides along another way: an object below keeps the pivot.
         document.nodes[1].placements[1].placement.rotation = {};
         expectSameFrames(readBack(document), document);
+        // What turns on the spot stays there, though its pivot's place changes.
+        document.nodes[1].placements[1].placement.translation = {3, 5, 7};
+        expectSameFrames(readBack(document), document);
     }
 }
 

@@ -47,6 +47,18 @@ TEST(SheetFiles, SayWhatCannotBeWritten) {
     EXPECT_NE(written.error().describe().find("/nowhere/at/all.png"), std::string::npos);
 }
 
+TEST(SheetFiles, NoneIsWrittenWhereOneCannotBe) {
+    const test::TemporaryFolder folder;
+    const std::vector<SheetFile> files{
+        {.path = folder / "hut.png", .bytes = {1, 2, 3}, .asked = true},
+        {.path = folder / "missing" / "turn.gif", .bytes = {4, 5}, .asked = true},
+        {.path = folder / "hut.json", .bytes = {6}}};
+    const Status written = writeSheetFiles(files);
+    ASSERT_FALSE(written);
+    EXPECT_NE(written.error().describe().find("turn.gif"), std::string::npos);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
 // None is written over another.
 TEST(SheetFiles, HavePathsOfTheirOwn) {
     Document document = test::documentOf(test::figure());
