@@ -110,9 +110,14 @@ Status SceneLook::work(const Scene& scene, const Camera& camera, const GameProfi
     return first;
 }
 
+SceneLook::Views SceneLook::viewsOf(const SceneEntity& entity) {
+    if (entity.views == nullptr) return {};
+    return {entity.views->name(), entity.views->roll};
+}
+
 bool SceneLook::holds(const Record& record, const SceneEntity& entity) const {
     const SceneEntity& before = record.sprite.entity;
-    return before.representation == entity.representation && before.views == entity.views &&
+    return before.representation == entity.representation && record.views == viewsOf(entity) &&
            before.octree == entity.octree && before.palette == entity.palette &&
            before.history == entity.history && record.octreeRevision == entity.octree->revision() &&
            record.paletteContent == contents_.at(entity.palette) &&
@@ -126,6 +131,7 @@ Status SceneLook::look(Record& record, const SceneEntity& entity, const Camera& 
     sprite.entity = entity;
     record.octreeRevision = entity.octree->revision();
     record.paletteContent = contents_.at(entity.palette);
+    record.views = viewsOf(entity);
     record.seen = false;
     if (entity.representation == Representation::clusters) return {};  // no sprite
     if (entity.octree->texture() == 0) return entity.octree->status();

@@ -5,11 +5,13 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "core/sprite/lattice_memo.h"
 #include "core/sprite/sprite_key.h"
+#include "core/sprite/view_set.h"
 #include "render/scene_renderer.h"
 #include "render/sprite_blocks.h"
 
@@ -48,10 +50,17 @@ class SceneLook {
     }
 
   private:
+    // The set of views that snapshots are snapped to: what it holds, wherever it lies.
+    struct Views {
+        std::string name;
+        SnapshotRoll roll{};
+        bool operator==(const Views&) const = default;
+    };
     // An entity, and what was worked out for it.
     struct Record {
         std::uint64_t octreeRevision = 0;
         std::uint64_t paletteContent = 0;
+        Views views;
         ViewHistory history;  // as it was left
         bool fresh = false;   // worked out by this update
         bool seen = false;
@@ -60,6 +69,7 @@ class SceneLook {
     void notePalettes(const Scene& scene);
     [[nodiscard]] Status work(const Scene& scene, const Camera& camera, const GameProfile& profile,
                               bool sameView);
+    [[nodiscard]] static Views viewsOf(const SceneEntity& entity);
     [[nodiscard]] bool holds(const Record& record, const SceneEntity& entity) const;
     [[nodiscard]] Status look(Record& record, const SceneEntity& entity, const Camera& camera,
                               const GameProfile& profile);

@@ -155,6 +155,15 @@ Changed History::redo(Workspace& workspace, const Follow& follow) {
     return changed;
 }
 
+bool History::differsFromSaved(const std::function<bool(const ActionPart&)>& counts) const {
+    if (savedPosition_ < 0) return true;
+    const auto position = static_cast<long long>(position_);
+    const auto [first, last] = std::minmax(savedPosition_, position);
+    return std::any_of(steps_.begin() + first, steps_.begin() + last, [&](const Action& step) {
+        return std::ranges::any_of(step.parts, std::cref(counts));
+    });
+}
+
 void History::clear() {
     savedPosition_ = isSaved() ? 0 : -1;
     steps_.clear();

@@ -175,6 +175,8 @@ class History {
     [[nodiscard]] bool isSaved() const {
         return savedPosition_ == static_cast<long long>(position_);
     }
+    // Does it differ from that in a part that counts? Also true where no undo or redo leads back.
+    [[nodiscard]] bool differsFromSaved(const std::function<bool(const ActionPart&)>& counts) const;
     void markSaved() { savedPosition_ = static_cast<long long>(position_); }
     // What was marked has not been saved after all.
     void markUnsaved() { savedPosition_ = -1; }

@@ -131,8 +131,11 @@ void keepInPlace(SceneState& scene, int node, int parent, int frames) {
                entityFromInside(scene.nodes, before, frame);
     };
     SceneNode& moved = nodeOf(scene.nodes, node);
-    if (standsStill(scene.nodes, before) && standsStill(scene.nodes, parent)) {
-        const Placement change = parentFromBefore(0);
+    const Placement change = parentFromBefore(0);
+    // Places between keys are rounded down, and would be the other way round on a turned axis.
+    const bool roundsAlike = std::ranges::count(change.rotation.sign, -1) == 0;
+    if (standsStill(scene.nodes, before) && standsStill(scene.nodes, parent) &&
+        (roundsAlike || !movesBetweenKeys(moved))) {
         for (PlacementKey& key : moved.placements) key.placement = change * key.placement;
     } else {
         std::vector<PlacementKey> keys;

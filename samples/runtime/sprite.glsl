@@ -156,6 +156,7 @@ void main() {
             uvec3 size = uvec3(model_size);
             colour = texelFetch(lit_palette, ivec2(int(word), now.axis), 0);
             id = 2u + voxel.x + size.x * (voxel.y + size.y * voxel.z);
+            if (id < 2u) id += 2u;  // 2^32 - 1 cells or more
             return;
         }
         // Out of the empty node by the first of its upper faces; beyond the box there is nothing.

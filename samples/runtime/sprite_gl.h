@@ -132,8 +132,11 @@ static void sprite_gl_create(sprite_gl* gl, const svo_file* file) {
 
 static void sprite__resize(sprite_gl* gl, const int32_t size[2]) {
     const GLenum both[2] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    GLint most = 0;
     int i, k;
     if (size[0] == gl->size[0] && size[1] == gl->size[1]) return;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    if (size[0] > most || size[1] > most) fail("the sprite", "is too large for a texture");
     memcpy(gl->size, size, sizeof gl->size);
     for (i = 0; i < 2; ++i) {
         GLuint* target = i == 0 ? gl->rays : gl->finished;

@@ -248,8 +248,9 @@ const Lattice = (() => {
                 if (material === 0) continue;
                 const [x, y, z] = caster.tree, from = 1024 * caster.axis + 4 * material;
                 colours.set(lit.subarray(from, from + 4), 4 * at);
-                // Modulo 2^32.
+                // Modulo 2^32, but 0 and 1 have a meaning.
                 ids[at] = 2 + x + Math.imul(sizeX, y + Math.imul(sizeY, z));
+                if (ids[at] < 2) ids[at] += 2;
             }
         }
         if (outline) dilate(width, height, colours, ids, [...outline, 255]);

@@ -102,6 +102,7 @@ void main() {
             uvec3 v = uvec3(tree), size = uvec3(model_size);
             colour = texelFetch(lit_palette, ivec2(int(material), axis), 0);
             id = 2u + v.x + size.x * (v.y + size.y * v.z);
+            if (id < 2u) id += 2u;  // 2^32 - 1 cells or more
             return;
         }
         crossing(min(((cell >> level) + 1) << level, high), false, axis, way);

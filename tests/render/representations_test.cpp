@@ -95,6 +95,19 @@ TEST_F(Representations, ASnapshotIsTheSpriteOfTheNearestView) {
     EXPECT_EQ(drawnBy(drawn.stats, Representation::snapshot), 1);
 }
 
+// The editor's set of views is changed where it lies, and nothing else need be.
+TEST_F(Representations, AnotherSetOfViewsInTheSamePlaceIsShown) {
+    const GameProfile profile = plainProfile();
+    const Camera view = camera(33, 24);
+    const Scene scene = alone(kSnapshot, profile);
+    const Image coarsely = draw(scene, view, profile).colour;
+    views_ = must(ViewSet::octahedral(12));
+    const Image changed = draw(scene, view, profile).colour;
+    EXPECT_GT(mismatches(changed, coarsely), 100u);
+    renderer_.emplace(must(SceneRenderer::create()));
+    EXPECT_EQ(mismatches(draw(scene, view, profile).colour, changed), 0u);
+}
+
 TEST_F(Representations, SnapshotsOfACrowdAreCastOnceAView) {
     const GameProfile profile = plainProfile();
     Scene scene;

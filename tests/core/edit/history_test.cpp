@@ -399,6 +399,37 @@ TEST(History, SavedIsWhereItWasSaved) {
     EXPECT_FALSE(history.isSaved());
 }
 
+TEST(History, WhatDoesNotCountMakesNoDifferenceToWhatWasSaved) {
+    const auto counts = [](const ActionPart& part) {
+        return !std::holds_alternative<ProfileEdit>(part);
+    };
+    History history;
+    Workspace workspace;
+    EXPECT_FALSE(history.differsFromSaved(counts));
+    history.execute(workspace, setVoxel({0, 0, 0}, 1));
+    EXPECT_TRUE(history.differsFromSaved(counts));
+    history.markSaved();
+    history.execute(workspace, setSigma(workspace, 5.0));
+    EXPECT_FALSE(history.isSaved());
+    EXPECT_FALSE(history.differsFromSaved(counts));
+    history.execute(workspace, setScale(workspace, 2.0));
+    EXPECT_TRUE(history.differsFromSaved(counts));
+    history.undo(workspace);
+    EXPECT_FALSE(history.differsFromSaved(counts));
+    history.undo(workspace);
+    history.undo(workspace);
+    EXPECT_TRUE(history.differsFromSaved(counts)) << "before what was saved";
+    history.redo(workspace);
+    history.redo(workspace);
+    history.markSaved();
+    history.undo(workspace);
+    EXPECT_FALSE(history.differsFromSaved(counts));
+    // No undo or redo leads there again.
+    history.execute(workspace, setVoxel({5, 0, 0}, 1));
+    history.undo(workspace);
+    EXPECT_TRUE(history.differsFromSaved(counts));
+}
+
 TEST(History, AStrokeDoesNotMergeIntoASavedStep) {
     History history;
     Workspace workspace;

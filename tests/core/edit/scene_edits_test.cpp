@@ -231,6 +231,21 @@ TEST(SceneEdits, GroupingAndUngroupingLeaveEverythingWhereItIs) {
                 testing::IsSupersetOf({"inner", "mirrored letter", "walker"}));
 }
 
+// Places between keys are rounded down, which a turned group sees the other way round.
+TEST(SceneEdits, WhatGlidesStaysInPlaceOutOfATurnedGroup) {
+    const Document flat = threeBoxes();
+    const std::array alone{nodeNamed(flat, "a")};
+    Document grouped = after(flat, groupNodes(flat, alone, "team"));
+    const auto nodeOf = [&](const std::string& name) -> SceneNode& {
+        return grouped.nodes[static_cast<std::size_t>(nodeNamed(grouped, name))];
+    };
+    nodeOf("team").placements[0].placement.rotation.sign = {-1, -1, 1};
+    nodeOf("a").placements = {{0, {}}, {3, {{}, {1, 0, 0}}}};
+    nodeOf("a").glides = true;
+    const Document apart = after(grouped, ungroup(grouped, nodeNamed(grouped, "team")));
+    EXPECT_EQ(placedVoxels(apart), placedVoxels(grouped));
+}
+
 TEST(SceneEdits, WhatLaysInAHiddenGroupStaysHidden) {
     Document before = test::busyDocument();
     before.nodes[1].hidden = true;
