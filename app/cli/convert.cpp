@@ -42,9 +42,10 @@ Result<Report> convertMany(const ConvertOptions& options) {
 Result<Report> convertOne(const ConvertOptions& options) {
     const std::string& input = options.inputs[0];
     const std::string& output = *options.output;
-    // Of several entities one alone would be left.
-    checkReplacesNone({"--output", output},
-                      options.reading.entity ? options.inputs : std::vector<std::string>{});
+    // A model may take its own place, if all of it is written.
+    checkReplacesNone({"--output", output}, isReadWhole(input, options.reading)
+                                                ? std::vector<std::string>{}
+                                                : options.inputs);
     // Before any work: is the output of a kind that can be written?
     const Result<Format> format = formatOf(output);
     if (!format) throw CLI::ValidationError("--output", format.error().describe());

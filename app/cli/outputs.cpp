@@ -5,7 +5,6 @@
 #include <system_error>
 
 #include "core/base/ending.h"
-#include "core/io/formats.h"
 #include "core/io/slices.h"
 
 namespace voxprite::cli {
@@ -64,6 +63,11 @@ void checkReplacesNone(const Output& output, const std::vector<std::string>& inp
                                        (input == output.path ? "" : " for '" + input + "'") +
                                        " and would be lost; choose another name");
     }
+}
+
+bool isReadWhole(const std::string& input, const ReadOptions& options) {
+    const Result<Format> format = formatOf(input);  // a folder of layers has none
+    return !options.entity && (!format || infoOf(*format).keepsVoxels);
 }
 
 }  // namespace voxprite::cli

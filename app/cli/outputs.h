@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/io/formats.h"
+
 namespace voxprite::cli {
 
 struct Output {
@@ -25,5 +27,9 @@ void checkEnding(const Output& output, const std::vector<std::string>& endings);
 // and what a mesh refers to: they would be lost. Inputs that may be written again (in their own
 // format, whole) are left out of the list by the caller.
 void checkReplacesNone(const Output& output, const std::vector<std::string>& inputs);
+
+// Is the model of a file read as it is, and all of it? Not of a mesh, which becomes voxels, nor
+// where one of several entities is chosen.
+[[nodiscard]] bool isReadWhole(const std::string& input, const ReadOptions& options);
 
 }  // namespace voxprite::cli

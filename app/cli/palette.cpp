@@ -86,7 +86,8 @@ Result<std::vector<std::string>> save(const PaletteOptions& options, Document do
 void checkFiles(const PaletteOptions& options) {
     if (!options.output) return;
     // A model may get its new colours in its own place, if all of it is written.
-    const bool inPlace = modelFormatOf(*options.output) && !options.reading.entity;
+    const bool inPlace =
+        modelFormatOf(*options.output) && isReadWhole(options.input, options.reading);
     checkReplacesNone({"--output", *options.output},
                       inPlace ? std::vector<std::string>{} : std::vector{options.input});
 }

@@ -5,6 +5,7 @@
 #include "app/cli/lattice_json.h"
 #include "app/cli/outputs.h"
 #include "app/cli/render_shot.h"
+#include "core/base/file.h"
 #include "core/io/png.h"
 #include "core/io/profile_json.h"
 #include "core/sprite/sprite_point.h"
@@ -157,16 +158,20 @@ std::string describe(const RenderOptions& options, const Shot& shot, const Drawn
     return text + line;
 }
 
+// Both or none, as far as can be told before.
 Status writePictures(const RenderOptions& options, const Drawn& drawn) {
+    if (options.buffer) {
+        if (drawn.buffer->size.x == 0) {
+            return failInFile(*options.buffer, "the sprite is not seen, so it has no buffer");
+        }
+        if (Status may = checkWritable(*options.buffer); !may) return may;
+    }
     if (options.output) {
         if (Status s = inFile(writePngFile(*options.output, *drawn.image), *options.output); !s) {
             return s;
         }
     }
     if (!options.buffer) return {};
-    if (drawn.buffer->size.x == 0) {
-        return failInFile(*options.buffer, "the sprite is not seen, so it has no buffer");
-    }
     return inFile(writePngFile(*options.buffer, drawn.buffer->image()), *options.buffer);
 }
 

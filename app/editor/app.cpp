@@ -58,7 +58,8 @@ void App::frame(const Theme& theme, const std::vector<InputEvent>& events) {
     // An edit answers the oldest input of its frame.
     editStart_.reset();
     if (!events.empty()) editStart_ = events.front().seconds;
-    if (!files_.blocks()) {
+    // A drag that takes long is worked out for the frame that is shown.
+    if (!files_.blocks() && !files_.drags()) {
         const auto passed = static_cast<double>(ImGui::GetIO().DeltaTime);
         context_.report(playback_.advance(session_, settings_.view, passed));
     }
@@ -68,7 +69,7 @@ void App::frame(const Theme& theme, const std::vector<InputEvent>& events) {
     Ui ui{theme, session_, settings_, edits_, commands_, context_, probe_, figures_, path};
     commands_.askByKeys(settings_.input.keys);
     buildUi(ui);
-    performEdits();
+    context_.perform(edits_);
     runCommands();
     if (files_.takeReplaced()) startOver();
     lockCameras();
@@ -91,23 +92,6 @@ void App::drop(const std::vector<std::filesystem::path>& files) {
     }
     if (files.size() > 1) sayOneAtATime(files.front());
     requestOpen(files.front());
-}
-
-void App::performEdits() {
-    for (Action& action : edits_.take()) {
-        // One long step at a time: the others come after it, but for those of the same drag.
-        const bool waits = files_.blocks() || files_.comesAfterDrag(action);
-        // What is in the air belongs to where its object lies now.
-        const bool settles = std::ranges::any_of(action.parts, [](const ActionPart& part) {
-            return std::holds_alternative<SceneEdit>(part);
-        });
-        if (!waits && settles) keepToolsWork();
-        if (waits || files_.blocks()) {
-            edits_.push(std::move(action));
-        } else {
-            context_.perform(std::move(action));
-        }
-    }
 }
 
 void App::runCommands() {
@@ -252,9 +236,9 @@ void App::recover(const LostWork& work) {
 }
 
 void App::keepCopy() {
+    if (!autosave_) return;
     // A document counts as saved while it is being written: its copy stays until that is done.
-    if (!autosave_ || files_.isWorking()) return;
-    autosave_->update(session_, Window::seconds());
+    autosave_->update(session_, Window::seconds(), files_.isWorking());
     if (const auto problem = autosave_->takeProblem()) {
         toasts_.error("No copy of the unsaved work can be kept: " + problem->describe());
     }

@@ -101,7 +101,6 @@ class App {
     // What a tool is still making, and what is in the air, becomes part of the document.
     void keepToolsWork();
     // What the user interface has asked for this frame.
-    void performEdits();
     void runCommands();
     void recover(const LostWork& work);
     void keepCopy();

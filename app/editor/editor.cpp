@@ -266,7 +266,7 @@ Status runEditor(const EditorOptions& options) {
     if (automatic) return {};
     EditorSettings used = (*app)->settings();
     if (!options.windowPx) used.window.place = window->place(used.window.place);
-    return used == settings ? Status() : saveSettings(settingsPath(), used);
+    return used == settings ? Status() : saveSettings(settingsPath(), used, settings);
 }
 
 }  // namespace voxprite

@@ -51,6 +51,18 @@ TEST_F(CliOutputs, PicturesDoNotReplaceModels) {
     EXPECT_EQ(run({"palette", vox, "--remove-unused", "-o", vox}).status, 0) << "in its place";
 }
 
+TEST_F(CliOutputs, AMeshIsNotReplacedByItsVoxels) {
+    const std::string obj = saved("m.obj", documentOf(figure()));
+    const std::string glb = saved("m.glb", documentOf(figure()));
+    for (const std::string& mesh : {obj, glb}) {
+        expectRefused({"convert", mesh, "-o", mesh}, "is read", mesh);
+        expectRefused({"palette", mesh, "--remove-unused", "-o", mesh}, "is read", mesh);
+    }
+    expectRefused({"convert", obj, "-o", file("m.png")}, "is read for", file("m.png"));
+    EXPECT_EQ(run({"convert", obj, "-o", file("m.vox")}).status, 0);
+    EXPECT_EQ(run({"convert", file("m.vox"), "-o", file("m.vox")}).status, 0) << "in its place";
+}
+
 TEST_F(CliOutputs, TwoDoNotHaveOneName) {
     const std::string vox = saved("hut.vox", documentOf(figure()));
     expectRefused({"render", vox, "-o", file("a.png"), "--buffer", file("./a.png")}, "--buffer",

@@ -318,6 +318,20 @@ TEST_F(CliRender, AnEmptyModelIsNotSeen) {
     EXPECT_EQ(inside.json()["unseen"], "camera_inside");
 }
 
+TEST_F(CliRender, NoPictureIsWrittenWithoutItsBuffer) {
+    const std::string picture = file("a.png");
+    for (const std::vector<std::string>& options :
+         {std::vector<std::string>{"--buffer", file("b.png"), "--distance", "0.2"},
+          {"--buffer", file("missing/b.png")}}) {
+        std::vector<std::string> arguments{"render", model(), "-o", picture};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const ProgramResult result = run(arguments);
+        EXPECT_EQ(result.status, 1);
+        EXPECT_NE(result.err.find(options[1]), std::string::npos) << result.err;
+        EXPECT_FALSE(std::filesystem::exists(picture)) << result.err;
+    }
+}
+
 // The driver's limit, or that of a picture's file.
 TEST_F(CliRender, APictureLargerThanCanBeIsNotWritten) {
     for (const char* mode : {"sprite", "voxels", "clusters", "billboard"}) {

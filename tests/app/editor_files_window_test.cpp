@@ -16,10 +16,11 @@ using Json = nlohmann::json;
 
 class FilesInAWindow : public EditorWindow {
   protected:
-    void open(const Document& document) {
+    void open(const Document& document, std::vector<std::string> arguments = {}) {
         ASSERT_NO_FATAL_FAILURE(startDisplay({1280, 800}));
         ASSERT_TRUE(saveDocument(file("model.voxprite"), document, GameProfile{}));
-        ASSERT_NO_FATAL_FAILURE(startEditor({file("model.voxprite").string()}));
+        arguments.insert(arguments.begin(), file("model.voxprite").string());
+        ASSERT_NO_FATAL_FAILURE(startEditor(std::move(arguments)));
         await("the model", [](const Json& now) { return now.at("state").at("voxels") > 0; });
     }
     void name(const std::string& path) {
@@ -31,6 +32,9 @@ class FilesInAWindow : public EditorWindow {
         await(start, [&](const Json& now) {
             return now.at("state").at("toast").get<std::string>().starts_with(start);
         });
+    }
+    void awaitDialog(const std::string& dialog) {
+        await(dialog, [&](const Json& now) { return now.at("state").at("dialog") == dialog; });
     }
     [[nodiscard]] std::string asked() {
         await("a question", [](const Json& now) { return now.at("state").at("browser") != ""; });
@@ -79,13 +83,10 @@ TEST_F(FilesInAWindow, EachModelIsExportedAsASpriteOfItsOwn) {
 
 // The document's file holds little of the game profile: that is asked about, and saved, by itself.
 TEST_F(FilesInAWindow, TheGameProfileIsAskedAboutAtTheEnd) {
-    const auto awaitDialog = [&](const std::string& dialog) {
-        await(dialog, [&](const Json& now) { return now.at("state").at("dialog") == dialog; });
-    };
     ASSERT_NO_FATAL_FAILURE(open(documentOf(figure())));
     click(centreOf("inspector.outline"));
     ASSERT_NO_FATAL_FAILURE(
-        await("the step", [](const Json& now) { return now.at("state").at("unsaved"); }));
+        await("the step", [](const Json& now) { return now.at("state").at("steps") == 1; }));
     key("ctrl+s");
     ASSERT_NO_FATAL_FAILURE(awaitToast("Saved model"));
 
@@ -116,6 +117,29 @@ TEST_F(FilesInAWindow, TheGameProfileIsAskedAboutAtTheEnd) {
     click(centreOf("browser.accept"));
     EXPECT_EQ(editor().wait(), 0) << said();
     EXPECT_FALSE(must(readProfileFile(file("game.json"))).outline.enabled);
+}
+
+// The one question at the end is about the profile: the document has no change of its own.
+TEST_F(FilesInAWindow, AGameProfileThatAnotherEditorChangedIsNotJustReplaced) {
+    const std::filesystem::path game = file("game.json");
+    ASSERT_TRUE(writeProfileFile(game, {}));
+    ASSERT_NO_FATAL_FAILURE(open(documentOf(figure()), {"--profile", game.string()}));
+    const int before = state().at("steps");
+    click(centreOf("inspector.outline"));
+    ASSERT_NO_FATAL_FAILURE(await(
+        "the step", [&](const Json& now) { return now.at("state").at("steps") == before + 1; }));
+    GameProfile theirs;
+    theirs.sigma = 7.0;
+    ASSERT_TRUE(writeProfileFile(game, theirs));
+
+    key("ctrl+q");
+    ASSERT_NO_FATAL_FAILURE(awaitDialog("unsaved"));
+    click(centreOf("unsaved.save"));
+    ASSERT_NO_FATAL_FAILURE(awaitDialog("changed"));
+    EXPECT_EQ(must(readProfileFile(game)), theirs);
+    click(centreOf("changed.replace"));
+    EXPECT_EQ(editor().wait(), 0) << said();
+    EXPECT_FALSE(must(readProfileFile(game)).outline.enabled);
 }
 
 // Another folder: the way that was chosen stays, and the folder above is the one above.

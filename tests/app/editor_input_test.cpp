@@ -182,11 +182,11 @@ TEST(EditorSettingsFile, KeepsWhatWasChosenAndSurvivesNonsense) {
     EXPECT_EQ(settings.window.recent.front().filename(), "a.vox");
 
     const auto path = folder / "deep" / "editor.json";
-    ASSERT_TRUE(saveSettings(path, settings));
+    ASSERT_TRUE(saveSettings(path, settings, {}));
     EXPECT_EQ(loadSettings(path), settings);
 
     EXPECT_EQ(loadSettings(folder / "none.json"), EditorSettings{});
-    ASSERT_TRUE(saveSettings(path, settings));
+    ASSERT_TRUE(saveSettings(path, settings, {}));
     std::ofstream(path) << "{\"tool\": 99, \"split\": \"wide\"";
     EXPECT_EQ(loadSettings(path), EditorSettings{});
     std::ofstream(path) << "{\"tool\": {\"tool\": 99}, \"window\": {\"theme\": -1, \"split\": 7}, "
@@ -197,6 +197,42 @@ TEST(EditorSettingsFile, KeepsWhatWasChosenAndSurvivesNonsense) {
     EXPECT_LE(clamped.window.split, 0.85f);
     EXPECT_FALSE(clamped.input.keys.contains("undo"));
     EXPECT_EQ(clamped.input.keys.at("redo")[0], control('R'));
+}
+
+TEST(EditorSettingsFile, AValueOfAnotherTypeCostsNoOther) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "editor.json")
+        << R"({"tool": {"mode": "paint", "tool": 3}, "scene": {"pace": "slow"}, "sheet": 5,
+               "window": {"theme": "dusk", "scale": 1.25}, "recent": ["a.vox", 5],
+               "keys": {"undo": 7, "cut": [7], "redo": ["Ctrl+R"]},
+               "cameras": [5, {"name": "Hero", "yaw": "wide"}]})";
+    EditorSettings expected;
+    expected.tool.tool = ToolKind::fill;
+    expected.window.scale = 1.25f;
+    expected.input.keys["redo"] = {control('R'), Chord{}};
+    expected.cameras.push_back({.name = "Hero"});
+    EXPECT_EQ(loadSettings(folder / "editor.json"), expected);
+}
+
+TEST(EditorSettingsFile, WhatAnotherEditorWroteMeanwhileStays) {
+    const test::TemporaryFolder folder;
+    const auto path = folder / "editor.json";
+    const EditorSettings before;
+    EditorSettings other = before, own = before;
+    other.input.keys["undo"] = {control('U'), Chord{}};
+    other.cameras.push_back({.name = "Hero"});
+    ASSERT_TRUE(saveSettings(path, other, before));
+    own.remember(folder / "hut.vox");
+    own.window.theme = ThemeKind::light;
+    ASSERT_TRUE(saveSettings(path, own, before));
+    EditorSettings both = own;
+    both.input.keys = other.input.keys;
+    both.cameras = other.cameras;
+    EXPECT_EQ(loadSettings(path), both);
+    // What was changed back is changed, too.
+    ASSERT_TRUE(saveSettings(path, before, own));
+    EXPECT_EQ(loadSettings(path).window, before.window);
+    EXPECT_EQ(loadSettings(path).input.keys, other.input.keys);
 }
 
 }  // namespace

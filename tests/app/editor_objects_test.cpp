@@ -124,6 +124,15 @@ TEST_F(Objects, AChoiceEndsWithTheTreeItWasMadeIn) {
     EXPECT_THAT(objects.nodes(session), ElementsAre(session.activeNode()));
 }
 
+TEST_F(Objects, ANameThatIsTypedEndsWithTheTree) {
+    objects.choose(session, 4);
+    objects.rename(4);
+    ASSERT_TRUE(session.undo());
+    objects.choose(session, 3);
+    objects.follow(session);
+    EXPECT_EQ(objects.renaming(), std::nullopt);
+}
+
 TEST_F(Objects, ANewSocketIsTheChosenOne) {
     ASSERT_TRUE(session.perform(addSocket(session.document(), {1, 2, 3})));
     objects.follow(session);

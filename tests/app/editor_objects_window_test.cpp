@@ -3,6 +3,8 @@
 // that was opened.
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "core/io/formats.h"
 #include "core/model/entity_voxels.h"
 #include "tests/app/editor_window.h"
@@ -16,8 +18,8 @@ using testing::ElementsAre;
 
 class ObjectsInAWindow : public EditorWindow {
   protected:
-    // Two boxes side by side, called a and b.
-    void open() {
+    // Two boxes side by side, called a and b; as many more objects as are wanted show the second.
+    void open(std::size_t objects = 2) {
         ASSERT_NO_FATAL_FAILURE(startDisplay({1280, 800}));
         start = documentOf(solidBox({12, 12, 6}, 5));
         start.nodes[1].name = "a";
@@ -26,8 +28,11 @@ class ObjectsInAWindow : public EditorWindow {
         second.name = "b";
         second.models = {ModelKey{0, 1}};
         second.placements[0].placement.translation = {14, 0, 0};
-        start.nodes.push_back(second);
-        start.nodes[0].children = {1, 2};
+        start.nodes[0].children = {1};
+        while (start.nodes.size() <= objects) {
+            start.nodes[0].children.push_back(static_cast<int>(start.nodes.size()));
+            start.nodes.push_back(second);
+        }
         ASSERT_TRUE(saveDocument(path(), start, GameProfile{}));
         const Result<LoadedDocument> loaded = loadDocument(path());
         ASSERT_TRUE(loaded);
@@ -54,6 +59,17 @@ class ObjectsInAWindow : public EditorWindow {
     [[nodiscard]] const SceneNode& node(std::size_t index) const {
         return document.nodes.at(index);
     }
+    void awaitGone(const std::string& item) {
+        await(item + " to be gone",
+              [&](const Json& now) { return !now.at("items").contains(item); });
+    }
+    void renameTo(const std::string& name) {
+        key("F2");
+        static_cast<void>(centreOf("name.typed"));
+        type(name);
+        key("Return");
+        awaitGone("name.typed");
+    }
 
     Document start, document;
 };
@@ -79,12 +95,7 @@ TEST_F(ObjectsInAWindow, AreEditedAsTheListShowsThemAndUndone) {
     EXPECT_EQ(node(3).models[0].model, 2);
     EXPECT_EQ(document.models.size(), 3u);
 
-    key("F2");
-    static_cast<void>(centreOf("name.typed"));
-    type("tail");
-    key("Return");
-    await("the end of typing",
-          [](const Json& now) { return !now.at("items").contains("name.typed"); });
+    ASSERT_NO_FATAL_FAILURE(renameTo("tail"));
     ASSERT_NO_FATAL_FAILURE(made("renamed", 4));
     EXPECT_EQ(node(3).name, "tail");
 
@@ -121,6 +132,60 @@ TEST_F(ObjectsInAWindow, AreEditedAsTheListShowsThemAndUndone) {
     }
     ASSERT_NO_FATAL_FAILURE(made("everything undone", 0));
     EXPECT_EQ(document, start);
+}
+
+// The row whose name is to be typed comes into sight, wherever it is.
+TEST_F(ObjectsInAWindow, AnObjectOutOfSightIsRenamed) {
+    ASSERT_NO_FATAL_FAILURE(open(40));
+    const glm::ivec2 first = centreOf("object.1");
+    click(first);
+    for (int notch = 0; notch < 20; ++notch) click(first, 5);  // the wheel
+    static_cast<void>(centreOf("object.40"));
+    ASSERT_NO_FATAL_FAILURE(renameTo("head"));
+    ASSERT_NO_FATAL_FAILURE(made("renamed at the list's other end", 1));
+    EXPECT_EQ(node(1).name, "head");
+
+    click(centreOf("object.1"));
+    key("ctrl+g");
+    ASSERT_NO_FATAL_FAILURE(made("grouped", 2));
+    click(centreOf("object.1"));
+    const int group = 41;
+    const std::string row = "object." + std::to_string(group);
+    const glm::ivec2 middle = centreOf(row);
+    const auto left = layout().at("items").at(row).at(0).get<double>();
+    click({static_cast<int>(left) + 12, middle.y});  // its arrow
+    ASSERT_NO_FATAL_FAILURE(awaitGone("object.1"));
+    key("Tab");
+    ASSERT_NO_FATAL_FAILURE(awaitGone("panel.dock"));
+    ASSERT_NO_FATAL_FAILURE(renameTo("tail"));
+    ASSERT_NO_FATAL_FAILURE(made("renamed in a folded group", 3));
+    EXPECT_EQ(node(1).name, "tail");
+}
+
+// A drag among so many voxels is worked out behind the window. Each frame shows another one of the
+// animation.
+TEST_F(ObjectsInAWindow, ALongDragEndsWhileTheAnimationPlays) {
+    ASSERT_NO_FATAL_FAILURE(startDisplay({1280, 800}));
+    VoxelGrid voxels;
+    for (int i = 0; i < 10 * 10 * 10; ++i) {
+        voxels.set({i / 100 * 8, i / 10 % 10 * 8, i % 10 * 8}, 5);
+    }
+    ASSERT_TRUE(saveDocument(path(), animationOf(std::vector(7, voxels)), GameProfile{}));
+    std::filesystem::create_directories(file("config") / "voxprite");
+    std::ofstream(file("config") / "voxprite" / "editor.json")
+        << R"({"window": {"tour_seen": true}, "view": {"frames_per_second": 60}})";
+    ASSERT_NO_FATAL_FAILURE(startEditor({path().string()}));
+    click(centreOf("dock.Objects"));
+    click(centreOf("object.1"));
+    click(centreOf("command.play"));
+    const glm::ivec2 field = centreOf("object.position.x");
+    carry(field, field + glm::ivec2(60, 0));
+    await("the drag to be one step", [](const Json& now) {
+        const Json& state = now.at("state");
+        return state.at("steps") == 1 && state.at("working") == false;
+    });
+    ASSERT_NO_FATAL_FAILURE(made("moved", 1));
+    EXPECT_GT(node(1).placements[0].placement.translation.x, 0);
 }
 
 TEST_F(ObjectsInAWindow, FramesAndSocketsAreMadeAndUndone) {

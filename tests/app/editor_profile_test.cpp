@@ -52,6 +52,48 @@ TEST_F(ProfileBeside, ADocumentsFileKeepsVoxelSizeAndSigmaAlone) {
     EXPECT_FALSE(session.profileUnsaved());
 }
 
+TEST_F(ProfileBeside, LightAloneLeavesTheDocumentSaved) {
+    changeLight();
+    EXPECT_FALSE(session.unsaved());
+    EXPECT_TRUE(session.profileUnsaved());
+    // Nor does a save that comes to nothing change that.
+    const auto saving = session.beginSaving(folder / "hut.voxprite");
+    ASSERT_TRUE(saving);
+    session.endSaving(*saving, fail("cancelled"));
+    EXPECT_FALSE(session.unsaved());
+
+    changeSigma();
+    EXPECT_TRUE(session.unsaved()) << "it is in the document's file alone";
+    ASSERT_TRUE(session.saveProfile(folder / "game.json"));
+    EXPECT_FALSE(session.unsaved());
+}
+
+TEST_F(ProfileBeside, AnOpenedProfileLeavesTheDocumentSaved) {
+    GameProfile game;
+    game.sigma = 3.0;
+    ASSERT_TRUE(writeProfileFile(folder / "game.json", game));
+    ASSERT_TRUE(session.openProfile(folder / "game.json"));
+    EXPECT_FALSE(session.unsaved());
+    EXPECT_FALSE(session.profileUnsaved());
+    ASSERT_TRUE(session.undo());
+    EXPECT_FALSE(session.unsaved());
+    EXPECT_TRUE(session.profileUnsaved());
+}
+
+TEST_F(ProfileBeside, NoticesWhatAnotherEditorDidToItsFile) {
+    ASSERT_TRUE(session.saveProfile(folder / "game.json"));
+    Session other;
+    ASSERT_TRUE(other.openProfile(folder / "game.json"));
+    EXPECT_FALSE(session.profileFile()->changedOutside());
+    EXPECT_FALSE(other.profileFile()->changedOutside());
+    changeLight();
+    ASSERT_TRUE(session.saveProfile(folder / "game.json"));
+    EXPECT_FALSE(session.profileFile()->changedOutside());
+    EXPECT_TRUE(other.profileFile()->changedOutside());
+    ASSERT_TRUE(other.openProfile(folder / "game.json"));
+    EXPECT_FALSE(other.profileFile()->changedOutside());
+}
+
 TEST_F(ProfileBeside, AProfileWithAFileIsSavedThere) {
     ASSERT_TRUE(session.saveProfile(folder / "game.json"));
     changeSigma();
@@ -63,14 +105,14 @@ TEST_F(ProfileBeside, IsRecoveredWithItsFile) {
     ASSERT_TRUE(session.saveProfile(folder / "game.json"));
     changeLight();
     Session other;
-    ASSERT_TRUE(other.recover(folder / "hut.voxprite", session.profile(), folder / "hut.voxprite",
-                              folder / "game.json"));
-    EXPECT_EQ(other.profilePath(), folder / "game.json");
+    ASSERT_TRUE(other.recover(folder / "hut.voxprite", session.profile(), session.file(),
+                              session.profileFile()));
+    EXPECT_EQ(other.profileFile(), session.profileFile());
     EXPECT_TRUE(other.profileUnsaved());
     ASSERT_TRUE(other.saveProfile(folder / "game.json"));
     Session same;
     ASSERT_TRUE(same.recover(folder / "hut.voxprite", session.profile(), std::nullopt,
-                             folder / "game.json"));
+                             session.profileFile()));
     EXPECT_FALSE(same.profileUnsaved());
 }
 

@@ -168,6 +168,13 @@ TEST(EditorSession, WhatNoOctreeHoldsIsRefusedAndLeavesEverythingAsItWas) {
     EXPECT_FALSE(refused.error().message.empty());
     EXPECT_EQ(session.document().models[0].voxels.solidCount(), 1u);
     expectConsistent(session);
+    // But what is small in the end may have come from anywhere.
+    const VoxelPatch moved{0, {{near[0], 3, 0}, {far[0], 0, 3}}};
+    ASSERT_TRUE(session.perform(makeAction("moved", moved)));
+    EXPECT_EQ(session.document().models[0].voxels.get(far[0]), 3);
+    expectConsistent(session);
+    ASSERT_TRUE(session.undo());
+    expectConsistent(session);
 }
 
 TEST(EditorSession, EditSpaceStandsStillWhileTheModelGrows) {
@@ -248,20 +255,19 @@ TEST(EditorSession, SavesNativelyAndKnowsWhatIsUnsaved) {
 TEST(EditorSession, NoticesWhatAnotherProgramDidToItsFile) {
     const test::TemporaryFolder folder;
     Session session;
-    EXPECT_FALSE(session.changedOutside());
     open(session, twistedDocument(), folder);
-    EXPECT_FALSE(session.changedOutside());
+    EXPECT_FALSE(session.file()->changedOutside());
     const std::filesystem::path path = *session.path();
     const Bytes bytes = readFile(path).value();
 
     ASSERT_TRUE(writeFileAtomically(path, bytes));  // the same bytes in another file
-    EXPECT_TRUE(session.changedOutside());
+    EXPECT_TRUE(session.file()->changedOutside());
     ASSERT_TRUE(session.saveAs(path));
-    EXPECT_FALSE(session.changedOutside());
+    EXPECT_FALSE(session.file()->changedOutside());
     ASSERT_TRUE(session.open(path));
-    EXPECT_FALSE(session.changedOutside());
+    EXPECT_FALSE(session.file()->changedOutside());
     std::filesystem::remove(path);  // nothing is there to be lost
-    EXPECT_FALSE(session.changedOutside());
+    EXPECT_FALSE(session.file()->changedOutside());
 }
 
 TEST(EditorSession, ExportsHoldTheEditAndDoNotCountAsSaved) {
@@ -352,7 +358,7 @@ TEST(EditorSession, OneOfSeveralEntitiesHasItsOwnNameUntilItHasAFile) {
     EXPECT_EQ(session.title(), "mine");
     // What a crash left of it is called as it was.
     Session recovered;
-    ASSERT_TRUE(recovered.recover(folder / "mine.voxprite", profile, set));
+    ASSERT_TRUE(recovered.recover(folder / "mine.voxprite", profile, KnownFile{set}));
     EXPECT_EQ(recovered.title(), "knight");
     ASSERT_TRUE(recovered.startNew());
     EXPECT_EQ(recovered.title(), "Untitled");

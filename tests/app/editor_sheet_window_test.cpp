@@ -122,6 +122,20 @@ TEST_F(SheetInAWindow, WhatCannotBeMadeIsToldAndNotWritten) {
     EXPECT_TRUE(std::filesystem::exists(file("walk.json")));
 }
 
+// Which frame is shown is nothing to the sheet, which shows them all.
+TEST_F(SheetInAWindow, IsMadeWhileTheAnimationPlays) {
+    ASSERT_NO_FATAL_FAILURE(openWalk());
+    const Json first = state().at("voxels");
+    key("ctrl+space");
+    await("the second frame",
+          [&](const Json& now) { return now.at("state").at("voxels") != first; });
+    key("ctrl+shift+e");
+    awaitDialog("sheet");
+    await("sixteen sprites", [](const Json& now) {
+        return now.at("state").at("sheet").get<std::string>().starts_with("16 sprites");
+    });
+}
+
 // What ends the typing of a number, or the choice of a file, is no answer to the dialog.
 TEST_F(SheetInAWindow, EnterAndEscapeAnswerWhatHasTheKeys) {
     ASSERT_NO_FATAL_FAILURE(openWalk());

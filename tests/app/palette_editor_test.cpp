@@ -120,6 +120,20 @@ TEST_F(PaletteEditing, AVariantIsEditedWhileItIsShown) {
     EXPECT_EQ(session.document(), start);
 }
 
+TEST_F(PaletteEditing, NoVariantComesBeyondWhatAPaletteCanHave) {
+    perform(editor.duplicateVariant(0));
+    EXPECT_EQ(session.document().palette.variants[1].name, "Red 2");
+    EXPECT_EQ(session.document().palette.variants[1].overrides,
+              start.palette.variants[0].overrides);
+    while (editor.canAddVariant()) perform(editor.duplicateVariant(0));
+    const Palette full = session.document().palette;
+    EXPECT_EQ(full.variants.size(), kMaxPaletteVariants);
+    perform(editor.duplicateVariant(0));
+    perform(editor.addVariant("Winter"));
+    EXPECT_EQ(session.document().palette, full);
+    EXPECT_TRUE(validate(session.document().palette));
+}
+
 TEST_F(PaletteEditing, RecoloursAllVoxelsOfAColour) {
     const ColourCounts counts = editor.counts();
     std::uint8_t used = 1;

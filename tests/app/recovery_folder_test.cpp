@@ -22,10 +22,11 @@ WorkCopy someWork() {
     WorkCopy copy;
     copy.document = test::busyDocument();
     copy.profile.sigma = 7.5;
-    copy.file = "/somewhere/h\xFCt.voxprite";  // file names are bytes
+    copy.file = KnownFile{"/somewhere/h\xFCt.voxprite",  // file names are bytes
+                          FileStamp{66306, ~std::uint64_t{0}, 3, -4}};
     copy.title = "h\xFCt";
     copy.edits = 41;
-    copy.profileFile = "/somewhere/g\xE4me.json";
+    copy.profileFile = KnownFile{"/somewhere/g\xE4me.json"};
     return copy;
 }
 
@@ -157,6 +158,24 @@ TEST_F(AutosaveTest, WhatIsSavedNeedsNoCopy) {
     EXPECT_EQ(filesIn(recovery_.path()), 1U) << "the saved file alone";
 }
 
+// It counts as saved from its beginning on.
+TEST_F(AutosaveTest, WhatIsBeingWrittenKeepsItsCopy) {
+    attach(session_, 0);
+    pass(0.0);
+    waitForCopy(1);
+    const Session::Saving saving = must(session_.beginSaving(recovery_.path() / "work.voxprite"));
+    ASSERT_FALSE(session_.unsaved());
+    autosave_.update(session_, now_ += 5.0, true);
+    EXPECT_EQ(autosave_.copiedPosition(), 1U);
+    // What is changed meanwhile is copied.
+    attach(session_, 1);
+    autosave_.update(session_, now_ += 5.0, true);
+    waitForCopy(2);
+    session_.endSaving(saving, fail("disk full"));
+    pass(5.0);
+    EXPECT_EQ(autosave_.copiedPosition(), 2U);
+}
+
 TEST_F(AutosaveTest, RecoveredWorkIsUnsavedUnderItsOwnName) {
     attach(session_, 0);
     attach(session_, 3);
@@ -171,12 +190,71 @@ TEST_F(AutosaveTest, RecoveredWorkIsUnsavedUnderItsOwnName) {
     }();
     GameProfile profile;
     profile.sigma = 3.0;
-    ASSERT_TRUE(other.recover(inside, profile, "/home/me/hut.voxprite"));
+    ASSERT_TRUE(other.recover(inside, profile, KnownFile{"/home/me/hut.voxprite"}));
     EXPECT_EQ(other.document().models, before.models);
     EXPECT_EQ(other.profile(), profile);
     EXPECT_TRUE(other.unsaved());
     EXPECT_EQ(other.path(), fs::path("/home/me/hut.voxprite"));
     EXPECT_EQ(other.title(), "hut");
+}
+
+// An editor with files of its own that crashes.
+class AutosaveOfFiles : public testing::Test {
+  protected:
+    void SetUp() override {
+        attach(session_, 0);
+        ASSERT_TRUE(session_.saveAs(hut_));
+        ASSERT_TRUE(session_.saveProfile(game_));
+    }
+    void changeLight() {
+        GameProfile after = session_.profile();
+        after.light.ambient *= 0.5;
+        ASSERT_TRUE(session_.perform(makeAction("Light", ProfileEdit{{}, after})));
+    }
+    [[nodiscard]] Autosave newAutosave() const {
+        return Autosave(must(RecoveryFolder::create(recovery_.path())));
+    }
+    [[nodiscard]] LostWork lost() const { return findLostWork(recovery_.path()).at(0); }
+
+    test::TemporaryFolder recovery_, folder_;
+    fs::path hut_ = folder_ / "hut.voxprite", game_ = folder_ / "game.json";
+    Session session_;
+};
+
+TEST_F(AutosaveOfFiles, RecoveredWorkNoticesWhatBecameOfItsFiles) {
+    attach(session_, 1);
+    ASSERT_TRUE(newAutosave().copyNow(session_));
+    const LostWork work = lost();
+    const auto recover = [&](Session& session) {
+        return session.recover(work.document, must(readProfileFile(work.profile)), work.file,
+                               work.profileFile);
+    };
+    Session same;
+    ASSERT_TRUE(recover(same));
+    EXPECT_FALSE(same.file()->changedOutside());
+    EXPECT_FALSE(same.profileFile()->changedOutside());
+
+    for (const fs::path& path : {hut_, game_}) {
+        ASSERT_TRUE(writeFileAtomically(path, must(readFile(path))));
+    }
+    Session later;
+    ASSERT_TRUE(recover(later));
+    EXPECT_TRUE(later.file()->changedOutside());
+    EXPECT_TRUE(later.profileFile()->changedOutside());
+}
+
+// The document is saved under another name, and something is still unsaved.
+TEST_F(AutosaveOfFiles, TheCopyFollowsTheWorkIntoAnotherFile) {
+    changeLight();
+    {
+        Autosave autosave = newAutosave();
+        ASSERT_TRUE(autosave.copyNow(session_));
+        ASSERT_TRUE(session_.saveAs(folder_ / "other.voxprite"));
+        ASSERT_TRUE(session_.profileUnsaved());
+        autosave.update(session_, 100.0);
+    }
+    EXPECT_EQ(lost().file, session_.file());
+    EXPECT_EQ(lost().profileFile, session_.profileFile());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "app/editor/commands/command_context.h"
 
 #include "app/editor/panels/toasts.h"
+#include "app/editor/panels/ui.h"
 #include "app/editor/session/file_flow.h"
 #include "app/editor/session/selection_edits.h"
 #include "app/editor/views/voxel_viewport.h"
@@ -12,14 +13,16 @@ void CommandContext::report(const Status& status) const {
 }
 
 void CommandContext::perform(Action action, const std::function<void()>& afterwards) {
-    if (!session.isLong(action)) {
+    const bool isLong = session.isLong(action);
+    // The steps of a drag follow each other from frame to frame; the one back to where it began is
+    // short, and takes the place of the last all the same.
+    if (action.mergeKey != 0 && (isLong || files.drags())) return files.drag(std::move(action));
+    if (!isLong) {
         const Status performed = session.perform(std::move(action));
         if (!performed) return report(performed);
         if (afterwards) afterwards();
         return;
     }
-    // The steps of a drag follow each other from frame to frame.
-    if (action.mergeKey != 0) return files.drag(std::move(action));
     std::string title = action.label;
     const auto shared = std::make_shared<Action>(std::move(action));
     files.step(
@@ -30,7 +33,22 @@ void CommandContext::perform(Action action, const std::function<void()>& afterwa
         afterwards);
 }
 
+void CommandContext::perform(EditQueue& edits) {
+    for (EditQueue::Edit& edit : edits.take()) {
+        // One long step at a time: the others come after it, but for those of the same drag.
+        const bool waits = files.blocks() || files.comesAfterDrag(edit.mergeKey);
+        // What is in the air belongs to where its object lies now.
+        if (!waits && edit.ofScene) static_cast<void>(settle());
+        if (waits || files.blocks()) {
+            edits.push(std::move(edit));
+        } else {
+            perform(edit.make(session.document()));
+        }
+    }
+}
+
 bool CommandContext::settle() {
+    if (files.blocks()) return false;
     if (auto made = editView.tools().confirm(session)) perform(std::move(*made));
     if (files.blocks()) return false;
     Result<std::optional<Action>> action = putDown(session);

@@ -14,6 +14,7 @@ class VoxelViewport;
 class SpriteViewport;
 class FileFlow;
 class Dialogs;
+class EditQueue;
 class ObjectSelection;
 class Playback;
 class Toasts;
@@ -38,6 +39,8 @@ struct CommandContext {
     // At once, or behind the window when the step is long (FileFlow::step). `afterwards` once it is
     // in force; never, when it fails or is stopped.
     void perform(Action action, const std::function<void()>& afterwards = {});
+    // What must wait stays in the queue.
+    void perform(EditQueue& edits);
     void undo();
     void redo();
     // What is in the air, or being made, comes down, as before every other edit. False while that

@@ -96,7 +96,7 @@ std::span<const Command> fileCommands() {
                 .run = [](CommandContext& c) { c.files.saveProfile(); },
                 .enabled =
                     [](const CommandContext& c) {
-                        return c.session.profilePath().has_value() && c.session.profileUnsaved();
+                        return c.session.profileFile().has_value() && c.session.profileUnsaved();
                     }},
         Command{.id = saveProfileAs,
                 .tag = "save_profile_as",

@@ -112,7 +112,7 @@ std::span<const Command> objectCommands() {
                 .chords = {key(GLFW_KEY_F2)},
                 .run =
                     [](CommandContext& c) {
-                        c.settings.window.dockTab = DockTab::objects;
+                        c.settings.window.show(DockTab::objects);
                         c.objects.rename(c.objects.node(c.session));
                     },
                 .enabled = hasChosen},

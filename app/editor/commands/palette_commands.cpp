@@ -62,7 +62,7 @@ void exportColours(CommandContext& c) {
 }
 
 void addPaletteVariant(CommandContext& c) {
-    if (c.palette.palette().variants.size() >= kMaxPaletteVariants) {
+    if (!c.palette.canAddVariant()) {
         return c.toasts.error("There are as many variants as a palette can have");
     }
     c.perform(c.palette.addVariant("Variant"));

@@ -24,8 +24,7 @@ trade::Setting inForce(const CommandContext& c) {
 
 void showPanel(CommandContext& c) {
     WindowSettings& window = c.settings.window;
-    window.dockTab = DockTab::trade;
-    window.showsDock = window.showsSide = true;
+    window.show(DockTab::trade);
     window.dockShare = std::max(window.dockShare, kPanelShare);
 }
 

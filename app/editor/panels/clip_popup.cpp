@@ -59,7 +59,21 @@ void durationRows(Ui& ui, Clip& clip) {
     ImGui::EndChild();
 }
 
+// The edit before may have deleted it.
+bool hasClip(const Document& document, int clip) {
+    return clip < static_cast<int>(document.clips.size());
+}
+
 }  // namespace
+
+void editClip(Ui& ui, int clip, Clip edited) {
+    const std::uint64_t key = ui.edits.key();
+    ui.edits.pushScene(
+        [clip, key, edited = std::move(edited)](const Document& now) {
+            return hasClip(now, clip) ? setClip(now, clip, edited, key) : Action{};
+        },
+        key);
+}
 
 void drawClipPopup(Ui& ui, int clip) {
     const Theme& theme = ui.theme;
@@ -81,12 +95,14 @@ void drawClipPopup(Ui& ui, int clip) {
     frameRow(ui, "clip.last", "Last frame", edited.last, edited.first, last);
     static_cast<void>(switchRow(ui, "clip.loop", "Loop", edited.loop, "Begin again at its end"));
     durationRows(ui, edited);
-    if (edited != before) ui.edits.push(setClip(document, clip, edited, ui.edits.key()));
+    if (edited != before) editClip(ui, clip, edited);
     ImGui::Dummy({0, theme.px(2)});
     if (ImGui::Button((std::string(icon::kDelete) + " Delete clip").c_str(),
                       {ImGui::GetContentRegionAvail().x, theme.px(26)})) {
         ui.context.playback.chooseClip(std::nullopt);
-        ui.edits.push(deleteClip(document, clip));
+        ui.edits.pushScene([clip](const Document& now) {
+            return hasClip(now, clip) ? deleteClip(now, clip) : Action{};
+        });
         ImGui::CloseCurrentPopup();
     }
     ui.probe.markItem("clip.delete");

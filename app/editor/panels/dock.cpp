@@ -12,15 +12,11 @@ namespace {
 
 void tab(Ui& ui, const char* name, bool on, DockTab value) {
     const Theme& theme = ui.theme;
-    WindowSettings& window = ui.settings.window;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 text = ImGui::CalcTextSize(name);
     const ImVec2 size(text.x + theme.px(2), theme.px(28));
     ImGui::PushID(name);
-    if (ImGui::InvisibleButton("tab", size)) {
-        window.dockTab = value;
-        window.showsDock = true;
-    }
+    if (ImGui::InvisibleButton("tab", size)) ui.settings.window.show(value);
     ImGui::PopID();
     ui.probe.markItem(std::string("dock.") + name);
     const ImU32 colour = on || ImGui::IsItemHovered() ? theme.text : theme.textDim;

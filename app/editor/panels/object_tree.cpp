@@ -35,6 +35,18 @@ bool* foldOf(int node) {
     return ImGui::GetStateStorage()->GetBoolRef(id, true);
 }
 
+void unfoldAbove(const Document& document, int node) {
+    for (int up = nodeOf(document, node).parent; up > 0; up = nodeOf(document, up).parent) {
+        *foldOf(up) = true;
+    }
+}
+
+// Scrolls no further than needed.
+void bringIntoSight(float top, float height) {
+    const float least = top + height - ImGui::GetWindowHeight();
+    ImGui::SetScrollY(std::clamp(ImGui::GetScrollY(), least, top));
+}
+
 // The tree from top to bottom, without the root and what lies in folded groups.
 std::vector<Row> rowsOf(const Document& document) {
     std::vector<Row> rows;
@@ -105,9 +117,8 @@ void dragAndDrop(Ui& ui, int node, const ListRow& row, float indent) {
                                                         ImGuiDragDropFlags_AcceptNoDrawDefaultRect);
     if (payload != nullptr) {
         const DropPlace place = dropPlace(document, node, row);
-        Result<Action> action =
-            moveNodes(document, objects.nodes(ui.session), place.parent, place.position);
-        if (action) {
+        const std::vector<int> nodes = objects.nodes(ui.session);
+        if (moveNodes(document, nodes, place.parent, place.position)) {
             ImDrawList& draw = *ImGui::GetWindowDrawList();
             const ImVec2 end(row.corner.x + row.width, row.corner.y + row.height);
             const float y = place.below ? end.y : row.corner.y;
@@ -116,7 +127,11 @@ void dragAndDrop(Ui& ui, int node, const ListRow& row, float indent) {
             } else {
                 draw.AddLine({row.corner.x + indent, y}, {end.x, y}, theme.accent, theme.px(2));
             }
-            if (payload->IsDelivery()) ui.edits.push(std::move(*action));
+            if (payload->IsDelivery()) {
+                ui.edits.pushScene([nodes, place](const Document& now) {
+                    return moveNodes(now, nodes, place.parent, place.position).value_or(Action{});
+                });
+            }
         }
     }
     ImGui::EndDragDropTarget();
@@ -158,7 +173,9 @@ void drawSwitches(Ui& ui, const ListRow& row, int node) {
         ImGui::PushStyleColor(ImGuiCol_Text, shown.locked ? theme.accent : theme.textFaint);
         if (iconButton(ui, "lock", shown.locked ? icon::kLocked : icon::kUnlocked, Lit::off, square,
                        shown.locked ? "Unlock" : "Lock: tools leave it alone")) {
-            ui.edits.push(setLocked(document, node, !shown.locked));
+            ui.edits.pushScene([node, locked = !shown.locked](const Document& now) {
+                return setLocked(now, node, locked);
+            });
         }
         ImGui::PopStyleColor();
     }
@@ -166,7 +183,9 @@ void drawSwitches(Ui& ui, const ListRow& row, int node) {
     ImGui::PushStyleColor(ImGuiCol_Text, shown.hidden ? theme.textFaint : theme.textDim);
     if (iconButton(ui, "eye", shown.hidden ? icon::kHidden : icon::kVisible, Lit::off, square,
                    shown.hidden ? "Show" : "Hide")) {
-        ui.edits.push(setHidden(document, node, !shown.hidden));
+        ui.edits.pushScene([node, hidden = !shown.hidden](const Document& now) {
+            return setHidden(now, node, hidden);
+        });
     }
     ImGui::PopStyleColor();
 }
@@ -181,9 +200,14 @@ void drawName(Ui& ui, const ListRow& row, int node, float indent, bool shared) {
         std::string name = shown.name;
         if (!typeName(ui, row, indent, end, name)) objects.rename(std::nullopt);
         if (name != shown.name) {
-            Action action = rename(document, node, name);
-            action.mergeKey = ui.edits.key();
-            ui.edits.push(std::move(action));
+            const std::uint64_t key = ui.edits.key();
+            ui.edits.pushScene(
+                [=](const Document& now) {
+                    Action action = rename(now, node, name);
+                    action.mergeKey = key;
+                    return action;
+                },
+                key);
         }
         return;
     }
@@ -309,10 +333,18 @@ bool typeName(Ui& ui, const ListRow& row, float indent, float end, std::string& 
 
 void drawObjectTree(Ui& ui) {
     const Document& document = ui.session.document();
+    const float height = ui.theme.px(24);
+    const auto renaming = ui.context.objects.renaming();
+    if (renaming) unfoldAbove(document, *renaming);
     const std::vector<Row> rows = rowsOf(document);
     const std::vector<int> users = usersOfModels(document);
+    if (renaming) {
+        // Out of sight there is no field, and what is typed would be shortcuts.
+        const auto row = std::ranges::find(rows, *renaming, &Row::node) - rows.begin();
+        bringIntoSight(ImGui::GetCursorPosY() + static_cast<float>(row) * height, height);
+    }
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(rows.size()), ui.theme.px(24));
+    clipper.Begin(static_cast<int>(rows.size()), height);
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             drawRow(ui, rows[static_cast<std::size_t>(i)], users);

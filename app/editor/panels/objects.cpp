@@ -73,7 +73,11 @@ void drawPlacement(Ui& ui, int node) {
     if (vectorRow(ui, "object.position", "Position", place, {-32768, 32767, 0.1, "%.0f"},
                   "In voxels, in the space of its group")) {
         const glm::ivec3 after(glm::round(place));
-        if (after != before) ui.edits.push(moveObject(document, node, after, ui.edits.key()));
+        if (after != before) {
+            const std::uint64_t key = ui.edits.key();
+            ui.edits.pushScene(
+                [=](const Document& now) { return moveObject(now, node, after, key); }, key);
+        }
     }
     rowLabel(ui, "Turn", "By 90 degrees around its middle");
     axisButtons(ui, {CommandId::turnObjectX, CommandId::turnObjectY, CommandId::turnObjectZ});

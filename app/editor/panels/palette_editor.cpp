@@ -138,9 +138,18 @@ Action PaletteEditor::recolourToHand(std::uint8_t from) const {
     return action;
 }
 
+Palette PaletteEditor::withVariant(VariantIndex source, const std::string& name) const {
+    if (!canAddVariant()) return palette();
+    return withVariantAdded(palette(), source, freeVariantName(palette(), name));
+}
+
 Action PaletteEditor::addVariant(const std::string& name) const {
-    return change("Add palette variant", withVariantAdded(palette(), session_.variant(),
-                                                          freeVariantName(palette(), name)));
+    return change("Add palette variant", withVariant(session_.variant(), name));
+}
+
+Action PaletteEditor::duplicateVariant(std::size_t variant) const {
+    return change("Duplicate palette variant",
+                  withVariant(variant, palette().variants[variant].name));
 }
 
 const ColourCounts& PaletteEditor::shownCounts(double nowSeconds) {

@@ -51,7 +51,12 @@ class PaletteEditor {
     [[nodiscard]] Action removeUnused() const;
     // Voxels of `from` take the colour in hand, in all objects.
     [[nodiscard]] Action recolourToHand(std::uint8_t from) const;
+    [[nodiscard]] bool canAddVariant() const {
+        return palette().variants.size() < kMaxPaletteVariants;
+    }
+    // In the colours that are shown.
     [[nodiscard]] Action addVariant(const std::string& name) const;
+    [[nodiscard]] Action duplicateVariant(std::size_t variant) const;
 
     // How many voxels have each colour, as of now; and as the panel shows it, which may lag behind
     // for a moment where counting takes long.
@@ -61,6 +66,7 @@ class PaletteEditor {
   private:
     [[nodiscard]] std::size_t slotOf(std::uint8_t index) const;
     [[nodiscard]] std::vector<std::uint8_t> chosenOrAll() const;
+    [[nodiscard]] Palette withVariant(VariantIndex source, const std::string& name) const;
 
     const Session& session_;
     EditorSettings& settings_;

@@ -141,11 +141,8 @@ void PalettePanel::drawVariantMenu(Ui& ui, std::size_t variant) {
             ui.edits.push(editor_.change("Rename palette variant", std::move(after)));
         }
         if (entered) ImGui::CloseCurrentPopup();
-        if (ImGui::MenuItem("Duplicate")) {
-            ui.edits.push(editor_.change(
-                "Duplicate palette variant",
-                withVariantAdded(palette, variant,
-                                 freeVariantName(palette, palette.variants[variant].name))));
+        if (ImGui::MenuItem("Duplicate", nullptr, false, editor_.canAddVariant())) {
+            ui.edits.push(editor_.duplicateVariant(variant));
         }
         if (ImGui::MenuItem("Delete")) {
             ui.edits.push(

@@ -38,8 +38,10 @@ bool content(Ui& ui, const BackgroundJob& job) {
     ImGui::PopStyleColor();
     const ImVec2 button = ui.theme.px(88, 28);
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - button.x);
+    ImGui::BeginDisabled(job.stopping());
     const bool cancelled = ImGui::Button("Cancel", button);
     ui.probe.markItem("progress.cancel");
+    ImGui::EndDisabled();
     return cancelled;
 }
 

@@ -83,7 +83,7 @@ void SheetDialog::close() {
 
 // Asks for the preview of what is set, once it is set.
 void SheetDialog::follow(Ui& ui) {
-    const Asked now{ui.settings.sheet, ui.session.profile(), ui.session.modelRevision()};
+    const Asked now{ui.settings.sheet, ui.session.profile(), ui.session.contentsRevision()};
     if (asked_ != now) {
         asked_ = now;
         const Result<SheetOptions> options = sheetOptions(now.settings);

@@ -32,7 +32,7 @@ class SheetDialog {
     struct Asked {
         SheetSettings settings;
         GameProfile profile;
-        std::uint64_t model = 0;  // revision of the session's
+        std::uint64_t contents = 0;  // revision of the session's
         bool operator==(const Asked&) const = default;
     };
     void close();

@@ -98,9 +98,7 @@ void rate(Ui& ui) {
         ImGui::DragInt("##duration", &duration, 1.0f, 1, kMaxFrameMilliseconds, "%d ms",
                        ImGuiSliderFlags_AlwaysClamp);
         ui.edits.watchItem(ui.session);
-        if (duration != before) {
-            ui.edits.push(setClip(document, *chosen, edited, ui.edits.key()));
-        }
+        if (duration != before) editClip(ui, *chosen, edited);
         tooltip(ui, "How long this frame shows");
     } else {
         double perSecond = played.framesPerSecond;
@@ -112,7 +110,7 @@ void rate(Ui& ui) {
             if (chosen) {
                 Clip edited = played;
                 edited.framesPerSecond = perSecond;
-                ui.edits.push(setClip(document, *chosen, edited, ui.edits.key()));
+                editClip(ui, *chosen, edited);
             } else {
                 ui.settings.view.framesPerSecond = perSecond;
             }
@@ -232,7 +230,8 @@ void dragFrame(Ui& ui, int frame, ImVec2 min, ImVec2 max) {
         }
         if (payload->IsDelivery() && from != frame) {
             ui.settings.view.playing = false;
-            ui.edits.push(moveFrame(ui.session.document(), from, frame));
+            ui.edits.pushScene(
+                [from, frame](const Document& now) { return moveFrame(now, from, frame); });
             // The moved frame stays the one shown.
             static_cast<void>(ui.session.setFrame(frame));
         }

@@ -13,5 +13,7 @@ void drawTimeline(Ui& ui);
 // The settings of a clip in a popup, opened under this name.
 inline constexpr const char* kClipPopup = "clip";
 void drawClipPopup(Ui& ui, int clip);
+// The clip becomes `edited`, by the drag that is going on.
+void editClip(Ui& ui, int clip, Clip edited);
 
 }  // namespace voxprite::editor

@@ -2,6 +2,7 @@
 // done. A panel changes nothing but settings; edits of the document leave it as actions.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,24 +20,43 @@
 
 namespace voxprite::editor {
 
-// Actions on their way to the session. All that come from one drag of a widget carry one key.
+// Edits on their way to the session. All that come from one drag of a widget carry one key.
 class EditQueue {
   public:
+    // What an edit does to the document as it is when its turn comes; asked once.
+    using Make = std::function<Action(const Document&)>;
+    struct Edit {
+        Make make;
+        std::uint64_t mergeKey = 0;
+        bool ofScene = false;
+    };
+
     // Call after every widget that can be dragged: a new drag starts a new step.
     void watchItem(Session& session) {
         if (ImGui::IsItemActivated() || key_ == 0) key_ = session.newMergeKey();
     }
     template <class Part>
     void push(std::string label, Part part, bool merge = true) {
-        actions_.push_back(makeAction(std::move(label), std::move(part), merge ? key_ : 0));
+        push(makeAction(std::move(label), std::move(part), merge ? key_ : 0));
     }
-    void push(Action action) { actions_.push_back(std::move(action)); }
+    void push(Action action) {
+        const std::uint64_t mergeKey = action.mergeKey;
+        push(Edit{
+            [action = std::move(action)](const Document&) mutable { return std::move(action); },
+            mergeKey});
+    }
+    // An edit of the scene replaces all of it: made before its turn, it would take back what it
+    // waits for. `mergeKey` is its action's.
+    void pushScene(Make make, std::uint64_t mergeKey = 0) {
+        push(Edit{std::move(make), mergeKey, true});
+    }
+    void push(Edit edit) { edits_.push_back(std::move(edit)); }
     // Of the drag that is going on.
     [[nodiscard]] std::uint64_t key() const { return key_; }
-    [[nodiscard]] std::vector<Action> take() { return std::exchange(actions_, {}); }
+    [[nodiscard]] std::vector<Edit> take() { return std::exchange(edits_, {}); }
 
   private:
-    std::vector<Action> actions_;
+    std::vector<Edit> edits_;
     std::uint64_t key_ = 0;
 };
 

@@ -11,27 +11,28 @@ Autosave::Autosave(RecoveryFolder folder, AutosavePace pace)
     : folder_(std::move(folder)), pace_(pace) {}
 
 Autosave::State Autosave::stateOf(const Session& session) {
-    return {session.revision(), session.history().position(), session.history().steps().size()};
+    return {session.revision(), session.history().position(), session.history().steps().size(),
+            session.file(), session.profileFile()};
 }
 
 WorkCopy Autosave::copyOf(const Session& session) {
     const auto begin = std::chrono::steady_clock::now();
     WorkCopy copy{
-        session.document(),           session.profile(),    session.path(), session.title(),
-        session.history().position(), session.profilePath()};
+        session.document(),           session.profile(),    session.file(), session.title(),
+        session.history().position(), session.profileFile()};
     copyMilliseconds_ =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     return copy;
 }
 
-void Autosave::update(const Session& session, double nowSeconds) {
+void Autosave::update(const Session& session, double nowSeconds, bool keepsCopy) {
     if (job_.running()) {
         const double took = job_.seconds();
         if (!job_.finish()) return;
         next_ = nowSeconds + std::max(pace_.leastSeconds, pace_.restShare * took);
     }
     if (!session.unsaved() && !session.profileUnsaved()) {
-        if (!state_) return;
+        if (!state_ || keepsCopy) return;
         state_.reset();
         copied_.reset();
         if (const Status cleared = folder_.clear(); !cleared) problem_ = cleared.error();

@@ -25,8 +25,8 @@ class Autosave {
   public:
     explicit Autosave(RecoveryFolder folder, AutosavePace pace = {});
 
-    // Once a frame.
-    void update(const Session& session, double nowSeconds);
+    // Once a frame. `keepsCopy`: even when all is saved, as the writing may not be done yet.
+    void update(const Session& session, double nowSeconds, bool keepsCopy = false);
     // Makes the copy now and waits for it.
     [[nodiscard]] Status copyNow(const Session& session);
     // The end of an orderly run: nothing is left to recover.
@@ -40,10 +40,11 @@ class Autosave {
     [[nodiscard]] double copyMilliseconds() const { return copyMilliseconds_; }
 
   private:
-    // What tells one state of the work from another.
+    // What tells one state of the work from another: also where it is kept, which the copy says.
     struct State {
         std::uint64_t revision = 0;
         std::size_t position = 0, steps = 0;
+        std::optional<KnownFile> file{}, profileFile{};
         bool operator==(const State&) const = default;
     };
     [[nodiscard]] static State stateOf(const Session& session);

@@ -57,7 +57,7 @@ RecoveryDialog::Answer RecoveryDialog::drawOne(Ui& ui, const Offered& offered) {
     const std::string when =
         ageOf(work.unixSeconds) + "  ·  " + counted(static_cast<std::int64_t>(work.edits), "edit");
     ImGui::TextUnformatted(when.c_str());
-    const std::string file = work.file ? work.file->string() : "in no file yet";
+    const std::string file = work.file ? work.file->path.string() : "in no file yet";
     ImGui::PushTextWrapPos(ImGui::GetContentRegionMax().x);
     ImGui::TextUnformatted(file.c_str());
     ImGui::PopTextWrapPos();

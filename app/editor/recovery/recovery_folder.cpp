@@ -64,6 +64,27 @@ Status writePicture(const fs::path& path, const WorkCopy& copy) {
     return sprite ? writePngFile(path, sprite->image()) : Status{};
 }
 
+// A file stands in the note as its path, under `key`, and its stamp beside that.
+void noteFile(nlohmann::json& note, const std::string& key, const std::optional<KnownFile>& file) {
+    if (!file) return;
+    note[key] = jsonTextFromBytes(file->path.string());
+    if (const auto& stamp = file->stamp) {
+        note[key + "_stamp"] = nlohmann::json::array(
+            {stamp->device, stamp->inode, stamp->bytes, stamp->changedNanoseconds});
+    }
+}
+
+std::optional<KnownFile> notedFile(const nlohmann::json& note, const std::string& key) {
+    if (!note.contains(key)) return std::nullopt;
+    KnownFile file{bytesFromJsonText(note.at(key).get<std::string>())};
+    if (note.contains(key + "_stamp")) {
+        const nlohmann::json& stamp = note.at(key + "_stamp");
+        file.stamp = FileStamp{stamp.at(0).get<std::uint64_t>(), stamp.at(1).get<std::uint64_t>(),
+                               stamp.at(2).get<std::uint64_t>(), stamp.at(3).get<std::int64_t>()};
+    }
+    return file;
+}
+
 std::optional<LostWork> readNote(const fs::path& folder) {
     const Result<std::string> text = readTextFile(folder / "note.json");
     if (!text) return std::nullopt;
@@ -72,12 +93,8 @@ std::optional<LostWork> readNote(const fs::path& folder) {
     try {
         const CopyFiles files = filesOf(folder, note.at("number").get<std::uint64_t>());
         LostWork work{folder, files.document, files.profile, files.picture, {}, {}, 0, 0};
-        if (note.contains("file")) {
-            work.file = bytesFromJsonText(note.at("file").get<std::string>());
-        }
-        if (note.contains("profile_file")) {
-            work.profileFile = bytesFromJsonText(note.at("profile_file").get<std::string>());
-        }
+        work.file = notedFile(note, "file");
+        work.profileFile = notedFile(note, "profile_file");
         work.title = bytesFromJsonText(note.at("title").get<std::string>());
         work.edits = note.at("edits").get<std::uint64_t>();
         work.unixSeconds = note.at("unix_seconds").get<std::int64_t>();
@@ -144,8 +161,8 @@ Status RecoveryFolder::writeAs(std::uint64_t number, const WorkCopy& copy) const
                         {"title", jsonTextFromBytes(copy.title)},
                         {"edits", copy.edits},
                         {"unix_seconds", unixSecondsNow()}};
-    if (copy.file) note["file"] = jsonTextFromBytes(copy.file->string());
-    if (copy.profileFile) note["profile_file"] = jsonTextFromBytes(copy.profileFile->string());
+    noteFile(note, "file", copy.file);
+    noteFile(note, "profile_file", copy.profileFile);
     return writeFileAtomically(folder_ / "note.json", note.dump(2) + "\n");
 }
 

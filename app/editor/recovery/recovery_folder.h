@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/session/known_file.h"
 #include "core/base/result.h"
 #include "core/model/document.h"
 #include "core/model/game_profile.h"
@@ -31,10 +32,10 @@ inline constexpr int kRecoveryPictureEdgePx = 104;
 struct WorkCopy {
     Document document;
     GameProfile profile;
-    std::optional<std::filesystem::path> file;  // of the document, if it has one
+    std::optional<KnownFile> file;  // of the document, if it has one
     std::string title;
-    std::uint64_t edits = 0;                                // since it was saved or opened, about
-    std::optional<std::filesystem::path> profileFile = {};  // of the game profile, if it has one
+    std::uint64_t edits = 0;                    // since it was saved or opened, about
+    std::optional<KnownFile> profileFile = {};  // of the game profile, if it has one
 };
 
 // The folder of one running editor. Its lock goes with the object, its files stay.
@@ -67,11 +68,11 @@ class RecoveryFolder {
 struct LostWork {
     std::filesystem::path folder;
     std::filesystem::path document, profile, picture;  // of the copy
-    std::optional<std::filesystem::path> file;
+    std::optional<KnownFile> file;
     std::string title;
     std::uint64_t edits = 0;
     std::int64_t unixSeconds = 0;  // when the copy was made
-    std::optional<std::filesystem::path> profileFile = {};
+    std::optional<KnownFile> profileFile = {};
 };
 
 // Newest first. Folders without a whole copy are no work; their remains are removed.

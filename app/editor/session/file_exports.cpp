@@ -36,10 +36,11 @@ void FileFlow::exportSheet(SheetExport asked) {
     const std::string name = asked.output.filename().string();
     const auto shared = std::make_shared<const SheetExport>(std::move(asked));
     const auto writing = [this, shared, name](JobProgress& progress) -> BackgroundJob::Done {
+        const std::stop_token stop = progress.stopToken();
         const Result<std::size_t> written = writeSheet(*shared, progress);
-        return [this, written, name] {
+        return [this, written, stop, name] {
             const Status done = written ? Status() : Failure(written.error());
-            if (tell(done, {})) {
+            if (tellWritten(done, stop)) {
                 context_.toasts.info("Exported " + name + " and " + std::to_string(*written - 1) +
                                      (*written == 2 ? " file beside it" : " files beside it"));
             }
@@ -65,14 +66,17 @@ void FileFlow::exportModelsTo(const std::filesystem::path& path) {
         const Document shown = withoutUnusedModels(*document);
         const std::vector<SetMember> members = modelsOneByOne(shown, profile, stem);
         const Result<Bytes> bytes = exportSvoSet(members);
+        const std::stop_token stop = progress.stopToken();
         Status done;
         if (!bytes) {
             done = Failure(bytes.error());
-        } else if (!progress.stopToken().stop_requested()) {
+        } else if (stop.stop_requested()) {
+            done = fail("cancelled");
+        } else {
             done = writeFileAtomically(path, *bytes);
         }
-        return [this, path, name, done, count = members.size()] {
-            if (!tell(inFile(Status(done), path.string()), {})) return;
+        return [this, path, name, done, stop, count = members.size()] {
+            if (!tellWritten(inFile(Status(done), path.string()), stop)) return;
             context_.toasts.info("Exported and verified " + std::to_string(count) + " models as " +
                                  name);
         };

@@ -29,7 +29,8 @@ void FileFlow::open(const std::filesystem::path& file, std::optional<std::size_t
 void FileFlow::save() {
     const Session& session = context_.session;
     if (!session.hasNativePath()) return saveAs();
-    if (session.changedOutside()) {
+    if (session.file()->changedOutside()) {
+        replacesProfile_ = false;
         return context_.dialogs.askChanged(session.path()->filename().string());
     }
     saveTo(*session.path());
@@ -58,23 +59,28 @@ void FileFlow::openProfile() {
 }
 
 void FileFlow::saveProfile() {
-    const auto& path = context_.session.profilePath();
-    if (!path) return saveProfileAs();
-    if (tell(context_.session.saveProfile(*path), "Saved " + path->filename().string())) goOn();
+    const auto& file = context_.session.profileFile();
+    if (!file) return saveProfileAs();
+    if (file->changedOutside()) {
+        replacesProfile_ = true;
+        return context_.dialogs.askChanged(file->path.filename().string());
+    }
+    saveProfileTo(file->path);
+}
+
+void FileFlow::saveProfileTo(const std::filesystem::path& path) {
+    const std::string name = path.filename().string();
+    if (tell(context_.session.saveProfile(path), "Saved " + name)) goOn();
 }
 
 void FileFlow::saveProfileAs() {
-    const auto& path = context_.session.profilePath();
+    const auto& file = context_.session.profileFile();
     browse({.title = "Save the game profile",
             .button = "Save",
             .saving = true,
             .extensions = kProfileExtensions,
-            .name = path ? path->filename().string() : "game-profile.json"},
-           [this](CommandContext& c, const std::filesystem::path& chosen) {
-               if (tell(c.session.saveProfile(chosen), "Saved " + chosen.filename().string())) {
-                   goOn();
-               }
-           });
+            .name = file ? file->path.filename().string() : "game-profile.json"},
+           [this](CommandContext&, const std::filesystem::path& path) { saveProfileTo(path); });
 }
 
 void FileFlow::browse(FileBrowser::Request request, Chosen chosen) {
@@ -98,7 +104,10 @@ void FileFlow::draw(Ui& ui) {
     followDrag();
     showProgress(ui);
     if (!isWorking() && afterJob_ != Waiting::none) {
-        unlessUnsaved(std::exchange(afterJob_, Waiting::none));
+        const Waiting next = std::exchange(afterJob_, Waiting::none);
+        // What had to stay in the air meanwhile comes down. This is tried once: it may fail.
+        if (!std::exchange(settled_, true)) static_cast<void>(context_.settle());
+        unlessUnsaved(next);
     }
 }
 
@@ -205,15 +214,14 @@ void FileFlow::followDrag() {
 Status FileFlow::work(std::string title, BackgroundJob::Work work) {
     if (job_.running()) return fail(job_.title() + " is not done yet");
     blocks_ = false;
-    afterCancel_ = {};
     job_.start(std::move(title), std::move(work));
     return {};
 }
 
 void FileFlow::cancelWork() {
-    job_.cancel();
     waiting_ = afterJob_ = Waiting::none;
-    if (const auto afterwards = std::exchange(afterCancel_, {})) afterwards();
+    if (!blocks_) return job_.stop();
+    job_.cancel();
     context_.toasts.info("Cancelled: " + job_.title());
 }
 
@@ -224,6 +232,7 @@ void FileFlow::unlessUnsaved(Waiting what) {
         const BackgroundJob& first = step_.running() ? step_ : job_.running() ? job_ : drag_;
         return context_.toasts.info(first.title() + " first");
     }
+    settled_ = false;
     waiting_ = what;
     if (!context_.session.unsaved()) return unlessProfileUnsaved();
     asksForProfile_ = false;
@@ -235,10 +244,10 @@ void FileFlow::unlessProfileUnsaved() {
     // It stays the same for the next document.
     if (waiting_ != Waiting::quit || !session.profileHasUnsavedOfItsOwn()) return goOn();
     asksForProfile_ = true;
-    const auto& path = session.profilePath();
+    const auto& file = session.profileFile();
     context_.dialogs.askUnsaved(
         "Save the game profile?",
-        "The game profile " + (path ? "\"" + path->filename().string() + "\""
+        "The game profile " + (file ? "\"" + file->path.filename().string() + "\""
                                     : std::string("(light, outline and the like)")));
 }
 
@@ -258,9 +267,10 @@ void FileFlow::afterUnsavedQuestion(UnsavedAnswer answer) {
 void FileFlow::afterChangedQuestion(ChangedAnswer answer) {
     switch (answer) {
         case ChangedAnswer::replace:
-            return saveTo(*context_.session.path());
+            return replacesProfile_ ? saveProfileTo(context_.session.profileFile()->path)
+                                    : saveTo(*context_.session.path());
         case ChangedAnswer::saveAs:
-            return saveAs();
+            return replacesProfile_ ? saveProfileAs() : saveAs();
         case ChangedAnswer::cancel:
         case ChangedAnswer::none:
             waiting_ = Waiting::none;
@@ -357,10 +367,11 @@ void FileFlow::write(std::string title, const std::filesystem::path& path,
     const auto saving = std::make_shared<const Session::Saving>(std::move(*begun));
     const auto writing = [this, saving, afterwards](JobProgress& progress) -> BackgroundJob::Done {
         progress.enter("Writing", 0.0);
-        const Session::Written written = Session::write(*saving, progress.stopToken());
-        return [this, saving, written, afterwards] {
+        const std::stop_token stop = progress.stopToken();
+        const Session::Written written = Session::write(*saving, stop);
+        return [this, saving, written, stop, afterwards] {
             context_.session.endSaving(*saving, written);
-            if (!tell(written ? Status() : Failure(written.error()), {})) return;
+            if (!tellWritten(written ? Status() : Failure(written.error()), stop)) return;
             if (const int count = saving->modelsLeftOut; count > 0) {
                 context_.toasts.info(std::to_string(count) +
                                      (count == 1 ? " model that no object shows is"
@@ -371,7 +382,6 @@ void FileFlow::write(std::string title, const std::filesystem::path& path,
         };
     };
     static_cast<void>(work(std::move(title), writing));
-    afterCancel_ = [this, saving] { context_.session.endSaving(*saving, fail("cancelled")); };
 }
 
 void FileFlow::saveTo(const std::filesystem::path& path) {
@@ -394,6 +404,12 @@ bool FileFlow::tell(const Status& done, const std::string& news) {
     }
     if (!news.empty()) context_.toasts.info(news);
     return true;
+}
+
+bool FileFlow::tellWritten(const Status& done, const std::stop_token& stop) {
+    if (done || !stop.stop_requested()) return tell(done, {});
+    context_.toasts.info("Cancelled: " + job_.title());
+    return false;
 }
 
 }  // namespace voxprite::editor

@@ -47,6 +47,9 @@ class FileFlow {
 
     // For any other long work: one thing at a time, so it fails while another goes on.
     [[nodiscard]] Status work(std::string title, BackgroundJob::Work work);
+    // Gives up what is being read or written, and what waits for it. What is read is forgotten at
+    // once; what is written goes on until it has stopped, and says whether it was written even so.
+    void cancelWork();
 
     // A step of the document that takes long: nothing else can be done until it is in force, and
     // `afterwards` done, or was stopped.
@@ -66,9 +69,9 @@ class FileFlow {
     [[nodiscard]] bool isWorking() const { return job_.running() || step_.running() || drags(); }
     // Other edits, and commands, come after it.
     [[nodiscard]] bool drags() const { return dragged_.has_value(); }
-    // Does this edit? Those of the same drag do not.
-    [[nodiscard]] bool comesAfterDrag(const Action& action) const {
-        return drags() && dragged_->mergeKey != action.mergeKey;
+    // Does an edit of this key? Those of the same drag do not.
+    [[nodiscard]] bool comesAfterDrag(std::uint64_t mergeKey) const {
+        return drags() && dragged_->mergeKey != mergeKey;
     }
     // Nothing else can be done: the document must stay as it is.
     [[nodiscard]] bool blocks() const { return (job_.running() && blocks_) || step_.running(); }
@@ -109,11 +112,11 @@ class FileFlow {
                                                                 EntityDialog::Asks asks);
     void afterEntities(const EntityDialog::Answer& answer);
     void saveTo(const std::filesystem::path& path);
+    void saveProfileTo(const std::filesystem::path& path);
     void exportTo(const std::filesystem::path& path);
     void exportModelsTo(const std::filesystem::path& path);
     void write(std::string title, const std::filesystem::path& path,
                const std::function<void()>& afterwards);
-    void cancelWork();
     void followDrag();
     void askForFile(Ui& ui);
     void showProgress(Ui& ui);
@@ -122,6 +125,8 @@ class FileFlow {
     void tellLosses(const std::filesystem::path& path);
     // A failure to be read; success to be seen in passing.
     bool tell(const Status& done, const std::string& news);
+    // Of a file that was to be written behind the window: cancelled is no failure.
+    bool tellWritten(const Status& done, const std::stop_token& stop);
 
     CommandContext& context_;
     FileBrowser browser_;
@@ -130,12 +135,12 @@ class FileFlow {
     Chosen chosen_;
     BackgroundJob step_;
     BackgroundJob job_;
-    bool blocks_ = false;  // nothing else may be done meanwhile
-    // What a cancelled job leaves to put right.
-    std::function<void()> afterCancel_;
+    bool blocks_ = false;  // it reads a file: nothing else may be done meanwhile
     Waiting waiting_ = Waiting::none;
     bool asksForProfile_ = false;       // the question about unsaved changes
+    bool replacesProfile_ = false;      // the one about what another program changed
     Waiting afterJob_ = Waiting::none;  // until the job has ended
+    bool settled_ = false;              // before that, as far as could be
     std::filesystem::path waitingFile_;
     std::optional<std::size_t> waitingEntity_;
     bool quits_ = false;

@@ -1,6 +1,7 @@
 #include "app/editor/session/object_selection.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace voxprite::editor {
 
@@ -49,7 +50,7 @@ bool ObjectSelection::isChosen(const Session& session, int node) const {
 void ObjectSelection::takeActive(Session& session, int node) {
     const auto& nodes = session.document().nodes;
     if (!nodes[static_cast<std::size_t>(node)].isGroup()) session.setActiveNode(node);
-    nodeCount_ = nodes.size();
+    if (std::exchange(nodeCount_, nodes.size()) != nodes.size()) renaming_.reset();
     socket_.reset();
 }
 

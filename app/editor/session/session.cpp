@@ -137,13 +137,14 @@ void Session::followPalette() {
 
 Status Session::followVoxels(const Changed::Voxels& changed) {
     const std::size_t many = changed.positions.size();
-    if (many > kManyVoxels && many > octree_.solidCount() / 64) {
+    const auto rebuild = [&]() -> Status {
         Status rebuilt = octree_.rebuild(flatten(workspace_.document, frame_));
         if (!rebuilt) return rebuilt;
         bounds_ = frames_ == 1 ? octree_.solidBounds() : entityBounds(workspace_.document);
         shown_.reset(octree_);
         return {};
-    }
+    };
+    if (many > kManyVoxels && many > octree_.solidCount() / 64) return rebuild();
     std::vector<LiveOctree::Edit> edits;
     // Where no other object may lie over it or under it, the model itself says what shows.
     const bool alone = sampler_->instances().size() == 1;
@@ -157,7 +158,8 @@ Status Session::followVoxels(const Changed::Voxels& changed) {
             edits.push_back({voxel, alone ? reader.get(position) : sampler_->at(voxel)});
         }
     }
-    if (Status applied = octree_.apply(edits); !applied) return applied;
+    // Edits may reach too far together with what they empty: voxels that move a long way.
+    if (!octree_.apply(edits)) return rebuild();
     growOrShrinkBounds(changed);
     shown_.follow(octree_, edits);
     return {};

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/session/known_file.h"
 #include "app/editor/session/selection.h"
 #include "app/editor/session/shown_octree.h"
 #include "core/base/file.h"
@@ -168,21 +169,20 @@ class Session {
         std::vector<std::vector<Placement>> placesOfModel;
     };
     struct Opened {
-        std::filesystem::path path;
+        KnownFile file;
         LoadedDocument loaded;
         Derived derived;
-        std::optional<FileStamp> stamp;  // of the file as it was read
-        std::string entityTitle{};       // of one of several entities in the file; else empty
+        std::string entityTitle{};  // of one of several entities in the file; else empty
     };
     [[nodiscard]] static Result<Opened> read(const std::filesystem::path& path,
                                              JobProgress* progress = nullptr,
                                              const ReadOptions& options = {});
     void adopt(Opened opened);
     // The copy of unsaved work that a crash left (recovery/recovery_folder.h): it is `file`, if
-    // any, with changes that are in no file yet.
+    // any, with changes that are in no file yet. The files are known as they were before the crash.
     [[nodiscard]] Status recover(const std::filesystem::path& document, const GameProfile& profile,
-                                 const std::optional<std::filesystem::path>& file,
-                                 const std::optional<std::filesystem::path>& profileFile = {});
+                                 const std::optional<KnownFile>& file,
+                                 const std::optional<KnownFile>& profileFile = {});
     struct Saving {
         std::filesystem::path path;
         Format format = Format::voxprite;
@@ -202,19 +202,20 @@ class Session {
     [[nodiscard]] Status openProfile(const std::filesystem::path& path);
     [[nodiscard]] Status saveProfile(const std::filesystem::path& path);
 
-    [[nodiscard]] const std::optional<std::filesystem::path>& path() const { return path_; }
-    [[nodiscard]] const std::optional<std::filesystem::path>& profilePath() const {
-        return profilePath_;
-    }
+    // Of the document and of the game's profile, if they have one.
+    [[nodiscard]] const std::optional<KnownFile>& file() const { return file_; }
+    [[nodiscard]] const std::optional<KnownFile>& profileFile() const { return profileFile_; }
+    // Of file().
+    [[nodiscard]] std::optional<std::filesystem::path> path() const;
     // Can be saved under its own name without asking for another.
     [[nodiscard]] bool hasNativePath() const;
-    // Does its file hold, by now, what another program wrote? (One that is gone holds nothing.)
-    [[nodiscard]] bool changedOutside() const;
     // "hut", or "Untitled"; of one of several entities in a file that one's name.
     [[nodiscard]] std::string title() const;
     // What files that are made of the document are called at first: title(), or "untitled".
-    [[nodiscard]] std::string stem() const { return path_ ? title() : "untitled"; }
-    [[nodiscard]] bool unsaved() const { return !history_.isSaved(); }
+    [[nodiscard]] std::string stem() const { return file_ ? title() : "untitled"; }
+    // In what the document's file keeps: VoxelSize and sigma among it while the profile has no file
+    // of its own.
+    [[nodiscard]] bool unsaved() const;
     [[nodiscard]] bool profileUnsaved() const { return savedProfile_ != workspace_.profile; }
     // Other than in the values that files of documents keep, while the profile has no file?
     [[nodiscard]] bool profileHasUnsavedOfItsOwn() const;
@@ -269,10 +270,9 @@ class Session {
     std::optional<EntitySampler> sampler_;
     std::vector<std::vector<Placement>> placesOfModel_;
 
-    std::optional<std::filesystem::path> path_;
-    std::optional<FileStamp> stamp_;  // of the file there when it was last read or written here
-    std::string entityTitle_;         // of one of several entities in the file there; else empty
-    std::optional<std::filesystem::path> profilePath_;
+    std::optional<KnownFile> file_;
+    std::string entityTitle_;  // of one of several entities in the file there; else empty
+    std::optional<KnownFile> profileFile_;
     GameProfile savedProfile_;
     std::vector<std::string> warnings_;
     VoxelSelection selection_;

@@ -31,6 +31,11 @@ std::string titleOfEntity(const std::string& name, const std::string& otherwise)
     return title.empty() ? otherwise : title;
 }
 
+// What files of documents keep of the game's profile.
+AuthoredValues authoredWith(const GameProfile& profile) {
+    return {profile.voxelSizeMetres, profile.sigma};
+}
+
 }  // namespace
 
 void Session::adopt(Document document, Derived derived) {
@@ -53,7 +58,7 @@ Status Session::startNew() {
     Result<Derived> derived = derive(empty, 0);
     if (!derived) return Failure(derived.error());
     adopt(std::move(empty), std::move(*derived));
-    path_.reset();
+    file_.reset();
     entityTitle_.clear();
     return {};
 }
@@ -73,19 +78,18 @@ Result<Session::Opened> Session::read(const std::filesystem::path& path, JobProg
         title = titleOfEntity(loaded->document.entity.name,
                               path.stem().string() + " " + std::to_string(*options.entity));
     }
-    return Opened{path, std::move(*loaded), std::move(*derived), stamp, std::move(title)};
+    return Opened{{path, stamp}, std::move(*loaded), std::move(*derived), std::move(title)};
 }
 
 void Session::adopt(Opened opened) {
     const AuthoredValues authored = opened.loaded.document.authored;
     adopt(std::move(opened.loaded.document), std::move(opened.derived));
-    path_ = std::move(opened.path);
-    stamp_ = opened.stamp;
+    file_ = std::move(opened.file);
     entityTitle_ = std::move(opened.entityTitle);
     warnings_ = std::move(opened.loaded.warnings);
     // A game's profile wins over what the file was made with; the built-in one stands for no game.
     const Format format = opened.loaded.format;
-    if (!profilePath_ && (format == Format::voxprite || format == Format::svo)) {
+    if (!profileFile_ && (format == Format::voxprite || format == Format::svo)) {
         workspace_.profile.voxelSizeMetres = authored.voxelSizeMetres;
         workspace_.profile.sigma = authored.sigma;
         markSavedWithDocument(authored.voxelSizeMetres, authored.sigma);
@@ -98,7 +102,7 @@ void Session::markSavedWithDocument(double voxelSizeMetres, double sigma) {
 }
 
 bool Session::profileHasUnsavedOfItsOwn() const {
-    if (profilePath_) return profileUnsaved();
+    if (profileFile_) return profileUnsaved();
     GameProfile kept = savedProfile_;
     kept.voxelSizeMetres = profile().voxelSizeMetres;
     kept.sigma = profile().sigma;
@@ -113,20 +117,19 @@ Status Session::open(const std::filesystem::path& path, const ReadOptions& optio
 }
 
 Status Session::recover(const std::filesystem::path& document, const GameProfile& profile,
-                        const std::optional<std::filesystem::path>& file,
-                        const std::optional<std::filesystem::path>& profileFile) {
+                        const std::optional<KnownFile>& file,
+                        const std::optional<KnownFile>& profileFile) {
     Result<Opened> opened = read(document);
     if (!opened) return Failure(opened.error());
     adopt(std::move(*opened));
     workspace_.profile = profile;
-    profilePath_ = profileFile;
+    profileFile_ = profileFile;
     if (profileFile) {
-        if (Result<GameProfile> saved = readProfileFile(*profileFile)) savedProfile_ = *saved;
+        if (Result<GameProfile> saved = readProfileFile(profileFile->path)) savedProfile_ = *saved;
     }
-    path_ = file;
-    stamp_ = file ? stampOf(*file) : std::nullopt;
-    if (file && entitiesAt(*file) > 1) {
-        entityTitle_ = titleOfEntity(workspace_.document.entity.name, file->stem().string());
+    file_ = file;
+    if (file && entitiesAt(file->path) > 1) {
+        entityTitle_ = titleOfEntity(workspace_.document.entity.name, file->path.stem().string());
     }
     history_.markUnsaved();
     return {};
@@ -136,8 +139,8 @@ Result<Session::Saving> Session::beginSaving(const std::filesystem::path& path) 
     const Result<Format> format = formatOf(path);
     if (!format) return Failure(format.error());
     // A record of the game's values at this time; no edit of the document.
-    workspace_.document.authored = {profile().voxelSizeMetres, profile().sigma};
-    const bool wasSaved = history_.isSaved();
+    workspace_.document.authored = authoredWith(profile());
+    const bool wasSaved = !unsaved();
     if (*format == Format::voxprite) history_.markSaved();
     return Saving{path,      *format,  withoutUnusedModels(document()),
                   profile(), wasSaved, unusedModels(document())};
@@ -159,10 +162,9 @@ void Session::endSaving(const Saving& saving, const Written& written) {
         if (!saving.wasSaved) history_.markUnsaved();
         return;
     }
-    path_ = saving.path;
-    stamp_ = *written;
+    file_ = KnownFile{saving.path, *written};
     entityTitle_.clear();
-    if (!profilePath_) markSavedWithDocument(saving.profile.voxelSizeMetres, saving.profile.sigma);
+    if (!profileFile_) markSavedWithDocument(saving.profile.voxelSizeMetres, saving.profile.sigma);
 }
 
 Status Session::saveAs(const std::filesystem::path& path) {
@@ -174,41 +176,46 @@ Status Session::saveAs(const std::filesystem::path& path) {
 }
 
 Status Session::openProfile(const std::filesystem::path& path) {
+    const std::optional<FileStamp> stamp = stampOf(path);
     Result<GameProfile> profile = readProfileFile(path);
     if (!profile) return Failure(profile.error());
-    const bool wasSaved = history_.isSaved();
     Status performed =
         perform(makeAction("Open game profile", ProfileEdit{workspace_.profile, *profile}));
     if (!performed) return performed;
-    // The profile has a file of its own: the document is as saved as it was.
-    if (wasSaved) history_.markSaved();
-    profilePath_ = path;
+    profileFile_ = KnownFile{path, stamp};
     savedProfile_ = workspace_.profile;
     return {};
 }
 
 Status Session::saveProfile(const std::filesystem::path& path) {
     if (Status saved = writeProfileFile(path, profile()); !saved) return saved;
-    profilePath_ = path;
+    profileFile_ = KnownFile{path, stampOf(path)};
     savedProfile_ = workspace_.profile;
     return {};
 }
 
 bool Session::hasNativePath() const {
-    if (!path_) return false;
-    const Result<Format> format = formatOf(*path_);
+    if (!file_) return false;
+    const Result<Format> format = formatOf(file_->path);
     return format && *format == Format::voxprite;
 }
 
-bool Session::changedOutside() const {
-    if (!path_ || !stamp_) return false;
-    const std::optional<FileStamp> now = stampOf(*path_);
-    return now && *now != *stamp_;
+bool Session::unsaved() const {
+    return history_.differsFromSaved([&](const ActionPart& part) {
+        const auto* edit = std::get_if<ProfileEdit>(&part);
+        if (edit == nullptr) return true;
+        return !profileFile_ && authoredWith(edit->before) != authoredWith(edit->after);
+    });
+}
+
+std::optional<std::filesystem::path> Session::path() const {
+    if (!file_) return std::nullopt;
+    return file_->path;
 }
 
 std::string Session::title() const {
     if (!entityTitle_.empty()) return entityTitle_;
-    return path_ ? path_->stem().string() : "Untitled";
+    return file_ ? file_->path.stem().string() : "Untitled";
 }
 
 }  // namespace voxprite::editor

@@ -31,6 +31,11 @@ void ToolSettings::chooseMode(EditMode chosen) {
     if (isForOneClick()) tool = before;
 }
 
+void WindowSettings::show(DockTab list) {
+    dockTab = list;
+    showsDock = showsSide = true;
+}
+
 void EditorSettings::remember(const std::filesystem::path& file) {
     std::error_code ignored;
     const std::filesystem::path full = std::filesystem::absolute(file, ignored).lexically_normal();
@@ -56,13 +61,21 @@ EditorSettings loadSettings(const std::filesystem::path& path) {
     }
 }
 
-Status saveSettings(const std::filesystem::path& path, const EditorSettings& settings) {
+Status saveSettings(const std::filesystem::path& path, const EditorSettings& settings,
+                    const EditorSettings& before) {
     std::error_code failed;
     std::filesystem::create_directories(path.parent_path(), failed);
     if (failed) return failInFile(path.string(), failed.message());
+    const Result<std::string> text = readTextFile(path);
+    Json json = text ? Json::parse(*text, nullptr, false) : Json();
+    if (!json.is_object()) json = Json::object();
+    const Json now = jsonOf(settings), then = jsonOf(before);
+    for (const auto& [name, part] : now.items()) {
+        if (!json.contains(name) || part != then.at(name)) json[name] = part;
+    }
     // Paths need not be UTF-8.
-    return writeFileAtomically(
-        path, jsonOf(settings).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    return writeFileAtomically(path,
+                               json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace voxprite::editor

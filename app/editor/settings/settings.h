@@ -137,6 +137,9 @@ struct WindowSettings {
     DockTab dockTab = DockTab::palette;
     std::filesystem::path folder;  // where file dialogs start
     std::vector<std::filesystem::path> recent;
+
+    // The list comes into sight, whatever is folded.
+    void show(DockTab list);
     bool operator==(const WindowSettings&) const = default;
 };
 
@@ -160,7 +163,9 @@ struct EditorSettings {
 // Defaults for whatever the file lacks or says wrongly: settings never keep the editor from
 // starting.
 [[nodiscard]] EditorSettings loadSettings(const std::filesystem::path& path);
-[[nodiscard]] Status saveSettings(const std::filesystem::path& path,
-                                  const EditorSettings& settings);
+// Into the file as it is now, which another editor may have written since these were `before`: of
+// its parts ("keys", "window", ...) those that differ, and what it lacks.
+[[nodiscard]] Status saveSettings(const std::filesystem::path& path, const EditorSettings& settings,
+                                  const EditorSettings& before);
 
 }  // namespace voxprite::editor

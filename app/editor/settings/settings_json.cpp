@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace voxprite::editor {
 namespace {
@@ -29,21 +30,30 @@ class Writer {
     Json& json_;
 };
 
+template <class Value>
+Value valueOr(const Json& json, const char* name, Value usual) {
+    try {
+        return json.value(name, usual);
+    } catch (const Json::exception&) {
+        return usual;
+    }
+}
+
 class Reader {
   public:
     explicit Reader(const Json& json) : json_(json) {}
     template <class Value>
     void field(const char* name, Value& value) {
-        value = json_.value(name, value);
+        value = valueOr(json_, name, value);
     }
     template <class Value>
     void number(const char* name, Value& value, Value least, Value most) {
-        value = std::clamp(json_.value(name, value), least, most);
+        value = std::clamp(valueOr(json_, name, value), least, most);
     }
     // Kept as whole numbers 0..last.
     template <class Enum>
     void choice(const char* name, Enum& value, Enum last) {
-        const int number = json_.value(name, static_cast<int>(value));
+        const int number = valueOr(json_, name, static_cast<int>(value));
         if (number >= 0 && number <= static_cast<int>(last)) value = static_cast<Enum>(number);
     }
 
@@ -168,18 +178,33 @@ void read(const Json& json, const char* name, Part& part) {
     describe(Reader(object), part);
 }
 
-// {"undo": ["Ctrl+Z", ""], ...}: what names no key keeps its default.
+template <class Part>
+void readWhole(const Json& json, const char* name, Part& part, Part (*from)(const Json&)) {
+    try {
+        part = from(json.value(name, Json::object()));
+    } catch (const Json::exception&) {
+        part = {};
+    }
+}
+
+// ["Ctrl+Z", ""]; nothing for what names no keys.
+std::optional<std::array<Chord, 2>> chordsFrom(const Json& texts) {
+    if (!texts.is_array()) return std::nullopt;
+    std::array<Chord, 2> chords{};
+    for (std::size_t i = 0; i < std::min(chords.size(), texts.size()); ++i) {
+        const auto chord =
+            texts[i].is_string() ? chordNamed(texts[i].get<std::string>()) : std::nullopt;
+        if (!chord) return std::nullopt;
+        chords[i] = *chord;
+    }
+    return chords;
+}
+
+// {"undo": ["Ctrl+Z", ""], ...}: what names no keys keeps its default.
 Keymap keymapFrom(const Json& json) {
     Keymap keys;
     for (const auto& [tag, texts] : json.items()) {
-        std::array<Chord, 2> chords{};
-        bool good = true;
-        for (std::size_t i = 0; i < std::min(chords.size(), texts.size()); ++i) {
-            const auto chord = chordNamed(texts.at(i).get<std::string>());
-            good = good && chord;
-            if (chord) chords[i] = *chord;
-        }
-        if (good) keys[tag] = chords;
+        if (const auto chords = chordsFrom(texts)) keys[tag] = *chords;
     }
     return keys;
 }
@@ -216,15 +241,15 @@ EditorSettings settingsFrom(const nlohmann::json& json) {
     read(json, "place", settings.window.place);
     read(json, "input", settings.input);
     read(json, "sheet", settings.sheet);
-    settings.scene = sceneSettingsFrom(json.value("scene", Json::object()));
-    settings.trade = tradeSettingsFrom(json.value("trade", Json::object()));
+    readWhole(json, "scene", settings.scene, sceneSettingsFrom);
+    readWhole(json, "trade", settings.trade, tradeSettingsFrom);
     settings.input.keys = keymapFrom(json.value("keys", Json::object()));
-    for (const Json& camera : json.value("cameras", Json::array())) {
-        describe(Reader(camera), settings.cameras.emplace_back());
+    for (const Json& camera : valueOr(json, "cameras", std::vector<Json>{})) {
+        if (camera.is_object()) describe(Reader(camera), settings.cameras.emplace_back());
     }
-    settings.window.folder = json.value("folder", std::string());
-    for (const Json& file : json.value("recent", Json::array())) {
-        settings.window.recent.emplace_back(file.get<std::string>());
+    settings.window.folder = valueOr(json, "folder", std::string());
+    for (const std::string& file : valueOr(json, "recent", std::vector<std::string>{})) {
+        settings.window.recent.emplace_back(file);
     }
     return settings;
 }
