@@ -45,10 +45,27 @@ bool putLoop(GifFileType* gif) {
            EGifPutExtensionTrailer(gif) == GIF_OK;
 }
 
-bool putFrame(GifFileType* gif, const AnimationFrame& frame, const ReducedColours& colours) {
+// Hundredths of a second, two at least, that add up to the milliseconds.
+class Delays {
+  public:
+    int next(int milliseconds) {
+        end_ += milliseconds;
+        const auto delay =
+            static_cast<int>(std::clamp<std::int64_t>((end_ + 5) / 10 - told_, 2, 65'535));
+        told_ += delay;
+        return delay;
+    }
+
+  private:
+    std::int64_t end_ = 0;   // milliseconds
+    std::int64_t told_ = 0;  // hundredths
+};
+
+bool putFrame(GifFileType* gif, const AnimationFrame& frame, int delay,
+              const ReducedColours& colours) {
     GraphicsControlBlock control{};
     control.DisposalMode = DISPOSE_BACKGROUND;
-    control.DelayTime = std::clamp((frame.milliseconds + 5) / 10, 2, 65'535);
+    control.DelayTime = delay;
     control.TransparentColor = kTransparent;
     std::array<GifByteType, 4> block{};
     const std::size_t length = EGifGCBToExtension(&control, block.data());
@@ -131,8 +148,11 @@ Result<GifImage> writeGif(std::span<const AnimationFrame> frames) {
         !putLoop(gif.get())) {
         return failed(*gif);
     }
+    Delays delays;
     for (const AnimationFrame& frame : frames) {
-        if (!putFrame(gif.get(), frame, colours.reduced)) return failed(*gif);
+        if (!putFrame(gif.get(), frame, delays.next(frame.milliseconds), colours.reduced)) {
+            return failed(*gif);
+        }
     }
     // Closing writes the end, into bytes that must still be there.
     if (EGifCloseFile(gif.release(), &error) != GIF_OK)

@@ -19,8 +19,8 @@ struct GifImage {
     std::optional<std::string> loss;
 };
 
-// Plays for ever. Frames of one size, at most 65,535 pixels an edge; their times are rounded to
-// hundredths of a second, 2 ... 65,535 of them. The same frames give the same bytes.
+// Plays for ever. Frames of one size, at most 65,535 pixels an edge; their times are told in
+// hundredths of a second, 2 ... 65,535 of them, and add up. The same frames give the same bytes.
 [[nodiscard]] Result<GifImage> writeGif(std::span<const AnimationFrame> frames);
 
 }  // namespace voxprite

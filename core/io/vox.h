@@ -22,7 +22,8 @@
 //             its last (so has it ogt_vox, github.com/jpaver/opengametools, which cuts places
 //             between toward zero; here they are rounded down). Tracks that hold still until the
 //             next key are written with a key more.
-// Layers      by their id; ids that are missing become blank layers.
+// Layers      by their id; ids that are missing become blank layers. Where there are layers an
+//             object on none is written onto the first that is not hidden: readers rely on it.
 // Colours     RGBA entry i is colour i + 1. A short chunk fills the colours that it has; none means
 //             the default palette. IMAP entry k is the colour shown in slot k + 1: it becomes
 //             Palette::displayOrder and never changes an index. NOTE names rows of eight slots,
@@ -62,11 +63,12 @@ struct VoxImport {
 // MagicaVoxel's own rules.
 //
 // Reads back equal if every model has a canvas of at most 256 on an edge that holds its voxels and
-// starts at -floor(size / 2), as all documents from .vox files have, except for what .vox has no
-// words for: clips, sockets, the entity's settings, authored values, ids of render settings, and
-// the keys that hold an object still. A canvas that does not fit is replaced by the smallest that
-// does; models too far from their origin for one get another pivot, models longer than 256 are cut
-// into cubes of 256 under a group. All frames of the entity stay the same.
+// starts at -floor(size / 2) and, where there are layers, every object lies on one, as in all
+// documents from MagicaVoxel, except for what .vox has no words for: clips, sockets, the entity's
+// settings, authored values, ids of render settings, and the keys that hold an object still. A
+// canvas that does not fit is replaced by the smallest that does; models too far from their origin
+// for one get another pivot, models longer than 256 are cut into cubes of 256 under a group. All
+// frames of the entity stay the same.
 //
 // Fails on an invalid document, on more than 1024 layers, nesting too deep to be read again, and
 // more voxels than a file can hold.

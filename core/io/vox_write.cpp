@@ -182,6 +182,15 @@ class SceneWriter {
         return pivot;
     }
 
+    // Other programs look up the layer of an object without asking whether it has one, and
+    // MagicaVoxel leaves none without.
+    int layerOf(const SceneNode& node) const {
+        if (node.isGroup() || node.layer >= 0) return node.layer;
+        const auto seen = std::ranges::find(document_.layers, false, &Layer::hidden);
+        if (seen == document_.layers.end()) return node.layer;
+        return static_cast<int>(seen - document_.layers.begin());
+    }
+
     static Placement movedTo(glm::ivec3 pivot, const Placement& placement) {
         return placement * Placement{{}, pivot};
     }
@@ -216,7 +225,7 @@ class SceneWriter {
                 addKey(next.frame - 1, placement, {});
             }
         }
-        writeTransformChunk(id, own, node.layer, frames);
+        writeTransformChunk(id, own, layerOf(node), frames);
     }
 
     void writeTransformChunk(int id, const Properties& attributes, int layer,
@@ -290,7 +299,7 @@ class SceneWriter {
             for (ModelKey& key : keys) key.model = pieceAt(key.model, pivot);
             Properties frame;
             if (pivot != glm::ivec3(0)) frame["_t"] = textFromVector(pivot);
-            writeTransformChunk(*next, {}, node.layer, {frame});
+            writeTransformChunk(*next, {}, layerOf(node), {frame});
             writeShape(*next + 1, attributes.child, node.loopModels, keys, attributes.models);
             ++next;
         }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string_view>
 
 #include "core/io/json_text.h"
 #include "core/model/playback.h"
@@ -35,19 +36,18 @@ std::string degrees(double value) {
 
 std::string viewName(const SheetSprite& sprite, const SheetOptions& options) {
     std::string name = "yaw" + degrees(sprite.yawDegrees);
-    if (options.pitchesDegrees.size() > 1) name += "/pitch" + degrees(sprite.pitchDegrees);
+    if (options.pitchesDegrees.size() > 1) name += "_pitch" + degrees(sprite.pitchDegrees);
     return name;
 }
 
-// One for each socket, its name; where several have it the later ones are numbered.
-std::vector<std::string> keysOf(const std::vector<SheetSocket>& sockets) {
-    std::set<std::string> names, used;
-    for (const SheetSocket& socket : sockets) names.insert(jsonTextFromBytes(socket.name));
+// Where several are the same the later ones are numbered.
+std::vector<std::string> numbered(const std::vector<std::string>& names) {
+    const std::set<std::string> all(names.begin(), names.end());
+    std::set<std::string> used;
     std::vector<std::string> keys;
-    for (const SheetSocket& socket : sockets) {
-        const std::string name = jsonTextFromBytes(socket.name);
+    for (const std::string& name : names) {
         std::string key = name;
-        for (int n = 2; used.contains(key) || (key != name && names.contains(key)); ++n) {
+        for (int n = 2; used.contains(key) || (key != name && all.contains(key)); ++n) {
             key = name + " " + std::to_string(n);
         }
         used.insert(key);
@@ -56,16 +56,41 @@ std::vector<std::string> keysOf(const std::vector<SheetSocket>& sockets) {
     return keys;
 }
 
-Json frameOf(const SheetSprite& sprite, const Sheet& sheet, const Document& document,
+std::vector<std::string> keysOf(const std::vector<SheetSocket>& sockets) {
+    std::vector<std::string> names;
+    for (const SheetSocket& socket : sockets) names.push_back(jsonTextFromBytes(socket.name));
+    return numbered(names);
+}
+
+// What the clips' tags begin with. Engines make animations and files of these names: Godot's may
+// not hold these signs.
+std::vector<std::string> keysOf(const std::vector<Clip>& clips) {
+    std::vector<std::string> names;
+    for (const Clip& clip : clips) {
+        std::string name = jsonTextFromBytes(clip.name);
+        std::ranges::replace_if(
+            name, [](char c) { return std::string_view("/:,[").find(c) != std::string_view::npos; },
+            '_');
+        names.push_back(std::move(name));
+    }
+    return numbered(names);
+}
+
+int millisecondsOf(const Clip& clip, int frame) {
+    return static_cast<int>(std::lround(frameSeconds(clip, frame) * 1000.0));
+}
+
+Json frameOf(std::size_t index, const Sheet& sheet, const Document& document,
              const SheetOptions& options, const std::string& stem) {
+    const SheetSprite& sprite = sheet.sprites[index];
     Json sockets = Json::object();
     const std::vector<std::string> keys = keysOf(sprite.sockets);
     for (std::size_t k = 0; k < keys.size(); ++k) {
         const SheetSocket& socket = sprite.sockets[k];
         sockets[keys[k]] = {{"px", point(socket.px)}, {"visible", socket.visible}};
     }
-    return {{"filename", jsonTextFromBytes(stem) + "/" + viewName(sprite, options) + "/" +
-                             std::to_string(sprite.frame)},
+    // Phaser finds the frames of Aseprite's tags by their numbers.
+    return {{"filename", std::to_string(index)},
             {"frame", rectangle(sprite.at, sprite.size)},
             {"rotated", false},
             {"trimmed", sprite.size != sheet.cellPx},
@@ -73,7 +98,9 @@ Json frameOf(const SheetSprite& sprite, const Sheet& sheet, const Document& docu
             {"sourceSize", sizeOf(sheet.cellPx)},
             {"duration", frameMilliseconds(document, sprite.frame)},
             {"voxprite",
-             {{"direction", sprite.direction},
+             {{"name", jsonTextFromBytes(stem) + "/" + viewName(sprite, options) + "/" +
+                           std::to_string(sprite.frame)},
+              {"direction", sprite.direction},
               {"yaw", sprite.yawDegrees},
               {"pitch", sprite.pitchDegrees},
               {"frame", sprite.frame},
@@ -89,10 +116,12 @@ Json tagsOf(const Sheet& sheet, const Document& document, const SheetOptions& op
     };
     std::vector<Clip> clips = document.clips;
     if (clips.empty()) clips.push_back({.name = "frames", .last = kMaxFrames - 1});
+    const std::vector<std::string> keys = keysOf(clips);
     for (std::size_t from = 0; from < sheet.sprites.size();) {
         std::size_t to = from + 1;
         while (to < sheet.sprites.size() && sameView(sheet.sprites[from], sheet.sprites[to])) ++to;
-        for (const Clip& clip : clips) {
+        for (std::size_t k = 0; k < clips.size(); ++k) {
+            const Clip& clip = clips[k];
             const auto within = [&](const SheetSprite& sprite) {
                 return sprite.frame >= clip.first && sprite.frame <= clip.last;
             };
@@ -101,11 +130,13 @@ Json tagsOf(const Sheet& sheet, const Document& document, const SheetOptions& op
             const auto first = std::find_if(begin, end, within);
             if (first == end) continue;
             const auto after = std::find_if_not(first, end, within);
-            tags.push_back({{"name", jsonTextFromBytes(clip.name) + "/" +
-                                         viewName(sheet.sprites[from], options)},
-                            {"from", first - sheet.sprites.begin()},
-                            {"to", after - sheet.sprites.begin() - 1},
-                            {"direction", "forward"}});
+            Json tag = {{"name", keys[k] + "_" + viewName(sheet.sprites[from], options)},
+                        {"from", first - sheet.sprites.begin()},
+                        {"to", after - sheet.sprites.begin() - 1},
+                        {"direction", "forward"},
+                        {"color", "#000000ff"}};
+            if (!clip.loop) tag["repeat"] = "1";  // none is for ever
+            tags.push_back(std::move(tag));
         }
         from = to;
     }
@@ -115,10 +146,16 @@ Json tagsOf(const Sheet& sheet, const Document& document, const SheetOptions& op
 Json clipsOf(const Document& document) {
     Json clips = Json::array();
     for (const Clip& clip : document.clips) {
+        // A frame of several clips has the duration of the first of them.
+        Json durations = Json::array();
+        for (int frame = clip.first; frame <= clip.last; ++frame) {
+            durations.push_back(millisecondsOf(clip, frame));
+        }
         clips.push_back({{"name", jsonTextFromBytes(clip.name)},
                          {"first", clip.first},
                          {"last", clip.last},
-                         {"loop", clip.loop}});
+                         {"loop", clip.loop},
+                         {"durations", std::move(durations)}});
     }
     return clips;
 }
@@ -154,7 +191,7 @@ bool sheetJsonNames(const std::string& text, const std::string& imageName,
 int frameMilliseconds(const Document& document, int frame) {
     for (const Clip& clip : document.clips) {
         if (frame < clip.first || frame > clip.last) continue;
-        return static_cast<int>(std::lround(frameSeconds(clip, frame) * 1000.0));
+        return millisecondsOf(clip, frame);
     }
     return static_cast<int>(std::lround(1000.0 / Clip().framesPerSecond));
 }
@@ -163,8 +200,8 @@ std::string sheetJson(const Sheet& sheet, const Document& document, const GamePr
                       const SheetOptions& options, const std::string& imageName) {
     const std::string stem = std::filesystem::path(imageName).stem().string();
     Json frames = Json::array();
-    for (const SheetSprite& sprite : sheet.sprites) {
-        frames.push_back(frameOf(sprite, sheet, document, options, stem));
+    for (std::size_t k = 0; k < sheet.sprites.size(); ++k) {
+        frames.push_back(frameOf(k, sheet, document, options, stem));
     }
     Json images = Json::object();
     for (const SheetPicture& picture : sheet.pictures) {
@@ -186,7 +223,8 @@ std::string sheetJson(const Sheet& sheet, const Document& document, const GamePr
           {"size", sizeOf({image.width, image.height})},
           {"scale", "1"},
           {"frameTags", tagsOf(sheet, document, options)},
-          {"layers", Json::array()},
+          {"layers",
+           Json::array({{{"name", "sprite"}, {"opacity", 255}, {"blendMode", "normal"}}})},
           {"slices",
            Json::array({{{"name", "anchor"}, {"color", "#ff8000ff"}, {"keys", {anchor}}}})},
           {"voxprite",

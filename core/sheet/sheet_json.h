@@ -1,6 +1,11 @@
 // The text beside a sheet's picture, in the layout that Aseprite writes (array form), which most
 // engines read: frames with their rectangles, trim offsets and durations, tags for the animations,
 // a slice whose pivot is the anchor. What that layout has no place for stands under "voxprite".
+//
+// As engines want it: a frame's "filename" is its number (Phaser looks for that), a tag is called
+// "clip_yaw45" (Godot and Unity make resources and files of it), "_pitch30" at its end where there
+// are several pitches, and "repeat" is "1" where the clip does not loop. Of clips that share frames
+// the first says how long these show; "voxprite" has the durations of each.
 #pragma once
 
 #include <string>

@@ -85,11 +85,14 @@ TEST_F(CliSheet, TellsClipsPivotAndSocketsInAsepritesLayout) {
     EXPECT_EQ(json["meta"]["size"]["w"], report["size"][0]);
     const Json& tags = json["meta"]["frameTags"];
     ASSERT_EQ(tags.size(), 4u);
-    EXPECT_EQ(tags[0]["name"], "idle/yaw0");
-    EXPECT_EQ(tags[1]["name"], "step/yaw0");
-    EXPECT_EQ(tags[3]["name"], "step/yaw180");
+    EXPECT_EQ(tags[0]["name"], "idle_yaw0");
+    EXPECT_EQ(tags[1]["name"], "step_yaw0");
+    EXPECT_EQ(tags[3]["name"], "step_yaw180");
     EXPECT_EQ(tags[3]["from"], 6);
     EXPECT_EQ(tags[3]["to"], 7);
+    EXPECT_FALSE(tags[0].contains("repeat"));
+    EXPECT_EQ(tags[1]["repeat"], "1");
+    EXPECT_EQ(json["meta"]["voxprite"]["clips"][1]["durations"], (std::vector<int>{70, 90}));
     const std::vector<int> durations{250, 250, 70, 90};
     for (std::size_t k = 0; k < 8; ++k) {
         const Json& frame = json["frames"][k];
@@ -102,7 +105,21 @@ TEST_F(CliSheet, TellsClipsPivotAndSocketsInAsepritesLayout) {
         EXPECT_EQ(std::floor(frame["voxprite"]["anchor"][0].get<double>() + 0.25), pivot["x"]);
         EXPECT_EQ(std::floor(frame["voxprite"]["anchor"][1].get<double>() + 0.25), pivot["y"]);
     }
-    EXPECT_EQ(json["frames"][6]["filename"], "out/yaw180/2");
+    EXPECT_EQ(json["frames"][6]["filename"], "6");
+    EXPECT_EQ(json["frames"][6]["voxprite"]["name"], "out/yaw180/2");
+}
+
+TEST_F(CliSheet, TagsHaveNamesThatEnginesTake) {
+    Document document = walk();
+    document.clips[0].name = document.clips[1].name = "walk/[north]";
+    saved(document);
+    sheet({"--directions", "1", "--pitch", "30,60"});
+    const Json json = text();
+    std::vector<std::string> names;
+    for (const Json& tag : json["meta"]["frameTags"]) names.push_back(tag["name"]);
+    EXPECT_EQ(names, (std::vector<std::string>{
+                         "walk__north]_yaw0_pitch30", "walk__north] 2_yaw0_pitch30",
+                         "walk__north]_yaw0_pitch60", "walk__north] 2_yaw0_pitch60"}));
 }
 
 TEST_F(CliSheet, WritesEveryPictureThatWasAskedFor) {

@@ -85,6 +85,12 @@ TEST(Gif, PlaysForEver) {
     EXPECT_EQ(readBack(gif.bytes).hundredths, std::vector<int>{2});
 }
 
+// Six frames a second: none is a whole number of hundredths, but they last a second.
+TEST(Gif, TimesAddUp) {
+    const GifImage gif = must(writeGif(std::vector(6, ramp(3, 167))));
+    EXPECT_EQ(readBack(gif.bytes).hundredths, (std::vector<int>{17, 16, 17, 17, 17, 16}));
+}
+
 TEST(Gif, WhatIsLostIsSaid) {
     const GifImage many = must(writeGif(std::vector{ramp(400, 80)}));
     EXPECT_THAT(many.loss.value(), HasSubstr("400 colours are reduced"));

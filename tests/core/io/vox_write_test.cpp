@@ -67,6 +67,7 @@ Document everything() {
     for (SceneNode& node : document.nodes) {
         node.glides = true;
         node.glides = movesBetweenKeys(node);
+        if (!node.isGroup() && node.layer < 0) node.layer = 0;
     }
     document.nodes[0].attributes = {{"_own", "1"}, {"group/_own", "2"}, {"shape/_own", "3"}};
     document.cameras = {{0, {{"_mode", "pers"}}}, {3, {}}};
@@ -206,6 +207,19 @@ TEST(VoxWrite, AModelThatFitsStaysOneObjectWhereverItGrew) {
         document.nodes[1].placements[1].placement.translation = {3, 5, 7};
         expectSameFrames(readBack(document), document);
     }
+}
+
+TEST(VoxWrite, AnObjectWithoutALayerLiesOnTheFirstThatIsSeen) {
+    Document document = test::documentOf(test::figure());
+    EXPECT_EQ(readBack(document).nodes[1].layer, -1);  // there are none
+    document.layers.resize(3);
+    document.layers[0].hidden = true;
+    EXPECT_EQ(readBack(document).nodes[1].layer, 1);
+    document.nodes[1].layer = 2;
+    EXPECT_EQ(readBack(document).nodes[1].layer, 2);
+    document.nodes[1].layer = -1;
+    for (Layer& layer : document.layers) layer.hidden = true;
+    EXPECT_EQ(readBack(document).nodes[1].layer, -1);
 }
 
 TEST(VoxWrite, ThatAModelIsCutIsSaid) {
