@@ -43,9 +43,8 @@ Result<Report> convertOne(const ConvertOptions& options) {
     const std::string& input = options.inputs[0];
     const std::string& output = *options.output;
     // A model may take its own place, if all of it is written.
-    checkReplacesNone({"--output", output}, isReadWhole(input, options.reading)
-                                                ? std::vector<std::string>{}
-                                                : options.inputs);
+    const bool inPlace = isReadWhole(input, options.reading) && !options.variant;
+    checkReplacesNone({"--output", output}, inPlace ? std::vector<std::string>{} : options.inputs);
     // Before any work: is the output of a kind that can be written?
     const Result<Format> format = formatOf(output);
     if (!format) throw CLI::ValidationError("--output", format.error().describe());
@@ -57,6 +56,7 @@ Result<Report> convertOne(const ConvertOptions& options) {
     const Result<LoadedDocument> loaded =
         loadSource(input, std::nullopt, options.variant, options.reading);
     if (!loaded) return Failure(loaded.error());
+    if (!loaded->whole) checkReplacesNone({"--output", output}, options.inputs);
     const Result<GameProfile> profile = profileForSaving(options.profile, loaded->document);
     if (!profile) return Failure(profile.error());
     const std::vector<std::string> losses = lossesOf(loaded->document, *format);

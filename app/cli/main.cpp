@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <new>
 #include <sstream>
 #include <vector>
 #if defined(__GLIBC__)
@@ -118,6 +119,9 @@ int runCommandLine(std::vector<std::string> arguments) {
         }
         const std::string reason = std::string(error.what()) + " (see " + prefix + " --help)";
         return reportFailure(prefix, fail(reason).value(), wantsJson, kWrongUsage);
+    } catch (const std::bad_alloc&) {
+        return reportFailure(prefix, fail("there is not enough memory").value(), wantsJson,
+                             kFailure);
     } catch (const std::exception& error) {
         return reportFailure(prefix, fail(error.what()).value(), wantsJson, kFailure);
     }

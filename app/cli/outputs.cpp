@@ -5,7 +5,6 @@
 #include <system_error>
 
 #include "core/base/ending.h"
-#include "core/io/slices.h"
 
 namespace voxprite::cli {
 namespace {
@@ -27,16 +26,8 @@ bool isReadFor(const fs::path& input, const fs::path& path) {
     if (isSameFile(input, path)) return true;
     std::error_code error;
     if (!fs::exists(path, error)) return false;
-    if (fs::is_directory(input, error) || lowerEndingOf(input) == ".png") {
-        const Result<SliceFiles> layers = sliceFilesOf(input);
-        return layers && std::ranges::any_of(layers->files, [&](const fs::path& layer) {
-                   return isSameFile(layer, path);
-               });
-    }
-    const Result<Format> format = formatOf(input);
-    return format && infoOf(*format).refersTo != nullptr &&
-           isSameFile(input.parent_path() / path.filename(), path) &&
-           infoOf(*format).refersTo(input, path.filename().string());
+    return std::ranges::any_of(filesReadFor(input),
+                               [&](const fs::path& file) { return isSameFile(file, path); });
 }
 
 }  // namespace

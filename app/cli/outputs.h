@@ -29,7 +29,7 @@ void checkEnding(const Output& output, const std::vector<std::string>& endings);
 void checkReplacesNone(const Output& output, const std::vector<std::string>& inputs);
 
 // Is the model of a file read as it is, and all of it? Not of a mesh, which becomes voxels, nor
-// where one of several entities is chosen.
+// where one of several entities is chosen. Reading it may still tell (LoadedDocument::whole).
 [[nodiscard]] bool isReadWhole(const std::string& input, const ReadOptions& options);
 
 }  // namespace voxprite::cli

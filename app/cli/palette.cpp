@@ -19,6 +19,8 @@ struct PaletteOptions {
     bool removeUnused = false;
     bool suggestRamps = false;
     bool* json = nullptr;  // owned by the Command
+
+    [[nodiscard]] bool changesColours() const { return import || removeUnused || suggestRamps; }
 };
 
 // A model where the ending is a model's, else a file of colours.
@@ -26,6 +28,13 @@ std::optional<Format> modelFormatOf(const std::string& output) {
     const Result<Format> format = formatOf(output);
     if (!format || isFileOfColours(output)) return std::nullopt;
     return *format;
+}
+
+// What the output has words for; of no output all, as the model itself is reported on.
+Holds heldBy(const std::optional<std::string>& output) {
+    if (!output) return Holds::everything();
+    const std::optional<Format> format = modelFormatOf(*output);
+    return format ? infoOf(*format).holds : Holds{};
 }
 
 // The variant that is named; added first when colours shall go into it.
@@ -84,18 +93,32 @@ Result<std::vector<std::string>> save(const PaletteOptions& options, Document do
 }
 
 void checkFiles(const PaletteOptions& options) {
-    if (!options.output) return;
+    if (!options.output) {
+        if (options.changesColours()) throw CLI::RequiredError("-o OUT, for the changed colours,");
+        return;
+    }
+    const Output output{"--output", *options.output};
+    const std::optional<Format> format = modelFormatOf(output.path);
+    if (format ? !infoOf(*format).writes() : !isFileOfColours(output.path)) {
+        std::vector<std::string> endings = writtenEndings();
+        endings.insert(endings.begin(), {".gpl", ".pal"});
+        throw CLI::ValidationError(output.option,
+                                   "'" + output.path + "' must end in " + listed(endings));
+    }
     // A model may get its new colours in its own place, if all of it is written.
-    const bool inPlace =
-        modelFormatOf(*options.output) && isReadWhole(options.input, options.reading);
-    checkReplacesNone({"--output", *options.output},
-                      inPlace ? std::vector<std::string>{} : std::vector{options.input});
+    std::vector<std::string> inputs;
+    if (!format || !isReadWhole(options.input, options.reading)) inputs.push_back(options.input);
+    if (options.import) inputs.push_back(*options.import);
+    checkReplacesNone(output, inputs);
 }
 
 Result<Report> palette(const PaletteOptions& options) {
     checkFiles(options);
     Result<LoadedDocument> loaded = loadDocument(options.input, options.reading);
     if (!loaded) return Failure(loaded.error());
+    if (options.output && !loaded->whole) {
+        checkReplacesNone({"--output", *options.output}, {options.input});
+    }
     Document& document = loaded->document;
     Palette& colours = document.palette;
     const ColourCounts counts = colourCounts(document);
@@ -121,15 +144,17 @@ Result<Report> palette(const PaletteOptions& options) {
     const Palette shown = *variant ? colours.withVariant(**variant) : colours;
     Json list = Json::array();
     for (const std::uint8_t index : used) list.push_back(colourJson(shown, index, counts[index]));
+    const Holds held = heldBy(options.output);
+    const std::size_t variants = held.variants ? colours.variants.size() : 0;
+    const std::size_t ramps = held.ramps ? colours.ramps.size() : 0;
     Report report;
     report.json = {{"used", std::move(list)},
-                   {"variants", colours.variants.size()},
-                   {"ramps", colours.ramps.size()},
+                   {"variants", variants},
+                   {"ramps", ramps},
                    {"warnings", std::move(warnings)}};
     report.text = (options.output ? *options.output : options.input) + ": " +
-                  std::to_string(used.size()) + " colours in use, " +
-                  std::to_string(colours.variants.size()) + " variant(s), " +
-                  std::to_string(colours.ramps.size()) + " ramp(s)\n" + ofReading;
+                  std::to_string(used.size()) + " colours in use, " + std::to_string(variants) +
+                  " variant(s), " + std::to_string(ramps) + " ramp(s)\n" + ofReading;
     return report;
 }
 

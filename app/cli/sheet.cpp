@@ -63,6 +63,9 @@ Result<Report> sheet(const SheetCommandOptions& options) {
     std::optional<Turntable> turntable;
     if (options.turntable) {
         checkEnding({"--turntable", *options.turntable}, {".png", ".gif"});
+        if (isSameFile(*options.turntable, output)) {
+            throw CLI::ValidationError("--turntable", "has the name of the sheet that -o writes");
+        }
         turntable = {*options.turntable, options.turntableMilliseconds, options.magnify};
     }
     const Result<GameProfile> profile = profileOf(options);

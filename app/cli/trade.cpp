@@ -21,6 +21,7 @@ namespace {
 struct TradeOptions {
     trade::ReportOptions report;
     std::vector<std::string> files;
+    ReadOptions reading;
     bool conformance = false;
     bool stability = false;
     bool temporal = false;
@@ -101,12 +102,12 @@ void addStability(const TradeOptions& options, Report& report, std::vector<std::
     report.text += textOf(rows, options.style()) + notRun;
 }
 
-Result<std::vector<conformance::TurningModel>> turningModels(
-    const std::vector<std::string>& files) {
-    if (files.empty()) return conformance::turningSubjects();
+Result<std::vector<conformance::TurningModel>> turningModels(const TradeOptions& options) {
+    if (options.files.empty()) return conformance::turningSubjects();
     std::vector<conformance::TurningModel> models;
-    for (const std::string& file : files) {
-        Result<LoadedDocument> loaded = loadSource(file, std::nullopt);
+    for (const std::string& file : options.files) {
+        Result<LoadedDocument> loaded =
+            loadSource(file, std::nullopt, std::nullopt, options.reading);
         if (!loaded) return Failure(loaded.error());
         const VoxelGrid voxels = flatten(loaded->document, 0);
         if (voxels.empty()) return failInFile(file, "its first frame has no voxels to turn");
@@ -119,7 +120,7 @@ Result<std::vector<conformance::TurningModel>> turningModels(
 }
 
 Status addTemporal(const TradeOptions& options, Report& report) {
-    const auto models = turningModels(options.files);
+    const auto models = turningModels(options);
     if (!models) return Failure(models.error());
     std::vector<std::vector<std::string>> rows{{"view step", "frames that change",
                                                 "of a sprite, in such a frame", "a degree",
@@ -144,7 +145,7 @@ Status addTemporal(const TradeOptions& options, Report& report) {
 
 // Error and cost, a column a size.
 Status addRepresentations(const TradeOptions& options, Report& report) {
-    const auto models = turningModels(options.files);
+    const auto models = turningModels(options);
     if (!models) return Failure(models.error());
     const std::vector<double> sizesPx{4, 8, 16, 32, 64, 128};
     const auto all = conformance::measureRepresentationRows(*models, sizesPx, 8);
@@ -170,7 +171,7 @@ Status addRepresentations(const TradeOptions& options, Report& report) {
 }
 
 Status addSnapshots(const TradeOptions& options, Report& report) {
-    const auto models = turningModels(options.files);
+    const auto models = turningModels(options);
     if (!models) return Failure(models.error());
     const auto rounded = [](double value) { return textOf(std::round(10.0 * value) / 10.0); };
     std::vector<std::vector<std::string>> rows{{"kind", "views", "degrees off"}};
@@ -210,10 +211,13 @@ Result<Report> runTrade(const TradeOptions& options) {
                          options.representations || options.snapshots;
     if (options.report.folder.empty() && !figures)
         throw CLI::ValidationError("--output", "is needed, or one of the figures");
+    if (options.reading.entity && options.files.empty())
+        throw CLI::ValidationError("--entity", "needs FILES");
     if (!options.report.folder.empty()) {
         if (figures) throw CLI::ValidationError("--output", "excludes the figures");
         trade::ReportOptions report = options.report;
         report.files = options.files;
+        report.reading = options.reading;
         report.markdown = options.markdown;
         return trade::reportTrade(report);
     }
@@ -265,6 +269,7 @@ void addTrade(CLI::App& app, Command& command) {
     sub.add_option("FILES", options->files,
                    "Models: those of the report; for --temporal, --representations and --snapshots "
                    "(else some made for the purpose)");
+    addEntityOption(sub, options->reading);
     sub.add_flag("--markdown", options->markdown, "Tables as Markdown");
     addJsonFlag(sub, command);
     runs(sub, command, options, runTrade);

@@ -171,6 +171,10 @@ Status checkWritable(const std::filesystem::path& requested) {
     const auto [path, descriptor] = destinationOf(requested);
     if (descriptor || isStream(requested)) return {};
     if (Status may = checkNotReadOnly(path); !may) return may;
+    std::error_code missing;
+    if (std::filesystem::is_directory(path, missing)) {
+        return failInFile(path.string(), "is a folder, not a file");
+    }
     if (::faccessat(AT_FDCWD, folderOf(path).c_str(), W_OK | X_OK, AT_EACCESS) == 0) return {};
     return systemFailure(path, "cannot be written");
 }

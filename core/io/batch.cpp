@@ -4,6 +4,7 @@
 #include <atomic>
 #include <map>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <thread>
 
@@ -43,6 +44,30 @@ std::vector<std::string> placesOf(const fs::path& output, Format to) {
     return places;
 }
 
+// Not an output over a layer, or over what a mesh refers to. Only where there is something to be
+// overwritten are the inputs looked into.
+Status overwriteNothingRead(const std::vector<BatchItem>& items) {
+    std::error_code unknown;
+    if (std::ranges::none_of(
+            items, [&](const BatchItem& item) { return fs::exists(item.output, unknown); })) {
+        return {};
+    }
+    std::map<std::string, fs::path> inputOf;
+    for (const BatchItem& item : items) {
+        for (const fs::path& file : filesReadFor(item.input)) {
+            inputOf.emplace(identityOf(file), item.input);
+        }
+    }
+    for (const BatchItem& item : items) {
+        const auto found = inputOf.find(identityOf(item.output));
+        if (found == inputOf.end()) continue;
+        return failInFile(item.output.string(),
+                          "is read for " + found->second.string() +
+                              " and would be overwritten; nothing was converted");
+    }
+    return {};
+}
+
 class Batch {
   public:
     Batch(const std::vector<BatchItem>& items, const BatchOptions& options,
@@ -69,9 +94,11 @@ class Batch {
             BatchOutcome outcome;
             try {
                 if (Status s = convert(index, outcome); !s) outcome.error = s.error();
+            } catch (const std::bad_alloc&) {  // that of this file is free again
+                outcome.error =
+                    failInFile(items_[index].input.string(), "there is not enough memory").value();
             } catch (const std::exception& error) {
-                // No memory left, most likely: that of this file is free again.
-                outcome.error = Error{items_[index].input.string(), {}, {}, {}, error.what()};
+                outcome.error = failInFile(items_[index].input.string(), error.what()).value();
             }
             finish(index, std::move(outcome));
         }
@@ -151,6 +178,7 @@ Result<std::vector<BatchItem>> planBatch(const std::vector<fs::path>& inputs,
         }
         items.push_back({input, output});
     }
+    if (Status kept = overwriteNothingRead(items); !kept) return Failure(kept.error());
     return items;
 }
 

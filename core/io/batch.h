@@ -18,8 +18,8 @@ struct BatchItem {
 };
 
 // Each input under its own name in `folder`, with the ending of the format. Fails, before any work
-// is done, where two would get the same name or be layers of one stack, or an input would be
-// overwritten. Whether the inputs can be read is not asked.
+// is done, where two would get the same name or be layers of one stack, or an input or what is read
+// for one would be overwritten. Whether the inputs can be read is not asked.
 [[nodiscard]] Result<std::vector<BatchItem>> planBatch(
     const std::vector<std::filesystem::path>& inputs, const std::filesystem::path& folder,
     Format to);

@@ -6,6 +6,7 @@
 #include "core/io/csm_reader.h"
 #include "core/io/csm_writer.h"
 #include "core/io/formats.h"
+#include "core/io/gltf_buffers.h"
 #include "core/io/gltf_reader.h"
 #include "core/io/mesh_voxels.h"
 #include "core/io/mesh_writer.h"
@@ -60,9 +61,10 @@ Result<Bytes> saveSvo(const SaveRequest& request) {
     return bytes;
 }
 
-// Clips alone give frames their time.
+// Clips alone give frames their time, and sockets their place in them.
 std::vector<std::string> svoLosses(const Document& document) {
-    std::vector<bool> shown(static_cast<std::size_t>(frameCount(document)), document.clips.empty());
+    if (document.clips.empty()) return {};
+    std::vector<bool> shown(static_cast<std::size_t>(frameCount(document)));
     for (const Clip& clip : document.clips) {
         for (int frame = clip.first; frame <= clip.last; ++frame) {
             shown[static_cast<std::size_t>(frame)] = true;
@@ -70,11 +72,30 @@ std::vector<std::string> svoLosses(const Document& document) {
     }
     const auto lost = std::ranges::count(shown, false);
     if (lost == 0) return {};
-    return {".svo has frames in clips alone: the " + std::to_string(lost) +
-            " that no clip shows are added at the end"};
+    std::vector<std::string> losses{
+        ".svo has frames in clips alone: the " + std::to_string(lost) +
+        " that no clip shows are added at the end, but for those that look like another"};
+    // Frames at the end have sockets where the last clip leaves them.
+    const int last = document.clips.back().last;
+    const bool moved = std::ranges::any_of(document.sockets, [&](const Socket& socket) {
+        for (int frame = 0; frame < frameCount(document); ++frame) {
+            if (!shown[static_cast<std::size_t>(frame)] &&
+                positionAt(socket, frame) != positionAt(socket, last)) {
+                return true;
+            }
+        }
+        return false;
+    });
+    if (moved) {
+        losses.emplace_back(
+            ".svo has sockets in clips alone: where they lie in other frames is left out");
+    }
+    return losses;
 }
 
 Result<LoadedDocument> loadCsm(const FileSource& source) {
+    // A script may assign nothing, but a file without a byte is what a broken copy leaves.
+    if (source.bytes.empty()) return failAtByte(0, "the file is empty");
     Result<Document> document = readCsm(source.bytes);
     if (!document) return Failure(document.error());
     LoadedDocument loaded{.document = std::move(*document)};
@@ -117,7 +138,9 @@ Result<std::vector<NamedBytes>> savePng(const SaveRequest& request) {
 Result<LoadedDocument> loadVdb(const FileSource& source) {
     Result<VdbImport> import = readVdb(source.bytes, source.options.vdb);
     if (!import) return Failure(import.error());
+    // Each of its warnings tells of grids that are no longer what they were.
     return LoadedDocument{.document = std::move(import->document),
+                          .whole = import->warnings.empty(),
                           .warnings = std::move(import->warnings)};
 }
 
@@ -265,6 +288,7 @@ constexpr std::array kFormats{
                .title = "glTF mesh",
                .load = loadGltf,
                .save = writeGlb,
+               .refersTo = gltfRefersTo,
                .keepsVoxels = false,
                .holds = kGlbHolds,
                .losses = glbLosses},
@@ -273,6 +297,7 @@ constexpr std::array kFormats{
                .ending = ".gltf",
                .title = "glTF mesh, text",
                .load = loadGltf,
+               .refersTo = gltfRefersTo,
                .keepsVoxels = false},
     FormatInfo{.format = Format::obj,
                .name = "obj",

@@ -55,8 +55,10 @@ Status keepNeighbours(const FormatInfo& info, const std::filesystem::path& path,
         if (&file == &files.back()) continue;
         const auto isOurs = [&] {
             std::error_code unknown;
-            return std::filesystem::exists(path, unknown) &&
-                   (info.refersTo == nullptr || info.refersTo(path, file.name));
+            if (!std::filesystem::exists(path, unknown)) return false;
+            if (info.refersTo == nullptr) return true;
+            const std::vector<std::filesystem::path> named = info.refersTo(path);
+            return std::ranges::find(named, std::filesystem::path(file.name)) != named.end();
         };
         if (Status may =
                 mayReplaceNeighbour(path.parent_path() / file.name, file.bytes, path, isOurs);
@@ -135,6 +137,21 @@ Result<LoadedDocument> loadDocument(const std::filesystem::path& path, const Rea
     Result<LoadedDocument> loaded = inFile(info.load({path, *bytes, options}), path.string());
     if (loaded) loaded->format = *format;
     return loaded;
+}
+
+std::vector<std::filesystem::path> filesReadFor(const std::filesystem::path& path) {
+    std::vector<std::filesystem::path> files{path};
+    const Result<Format> format = formatOf(path);
+    std::error_code unknown;
+    if (std::filesystem::is_directory(path, unknown) || (format && *format == Format::png)) {
+        const Result<SliceFiles> layers = sliceFilesOf(path);
+        if (layers) files.insert(files.end(), layers->files.begin(), layers->files.end());
+    } else if (format && infoOf(*format).refersTo != nullptr) {
+        for (const std::filesystem::path& file : infoOf(*format).refersTo(path)) {
+            files.push_back(path.parent_path() / file);
+        }
+    }
+    return files;
 }
 
 std::vector<std::string> lossesOf(const Document& document, Format format) {

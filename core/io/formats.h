@@ -28,6 +28,9 @@ enum class Format : std::uint8_t { voxprite, vox, svo, csm, qb, png, vdb, glb, g
 struct LoadedDocument {
     Document document;
     Format format = Format::vox;
+    // False where some of the file was passed over or made anew: written in its place, the document
+    // would lose that.
+    bool whole = true;
     // What was odd but harmless, and what a reader chose where the file left a choice; a sentence
     // each.
     std::vector<std::string> warnings{};
@@ -86,11 +89,11 @@ struct FormatInfo {
     // that was asked for, `request.name`, and refers to the others.
     Result<std::vector<NamedBytes>> (*saveFiles)(const SaveRequest& request) = nullptr;
     // With `saveFiles`: the names of all files that a document would be written to, the one that
-    // was asked for last; and whether the file at `path`, as it lies there, refers to the one of
-    // that name beside it.
+    // was asked for last.
     std::vector<std::string> (*names)(const std::filesystem::path& name,
                                       const Document& document) = nullptr;
-    bool (*refersTo)(const std::filesystem::path& path, const std::string& neighbour) = nullptr;
+    // The other files that the one at `path`, as it lies there, refers to, relative to its folder.
+    std::vector<std::filesystem::path> (*refersTo)(const std::filesystem::path& path) = nullptr;
     // A folder of such files is a document, too; then `load` gets no bytes.
     bool folders = false;
     // False of meshes, which hold surfaces: reading them makes voxels anew.
@@ -125,6 +128,9 @@ struct FormatInfo {
 // Errors name the file, the place in it and the reason. Nothing is half loaded.
 [[nodiscard]] Result<LoadedDocument> loadDocument(const std::filesystem::path& path,
                                                   const ReadOptions& options = {});
+// All files that loading `path` reads: itself, the layers of its stack, what it refers to. Those of
+// a file that cannot be read are not known.
+[[nodiscard]] std::vector<std::filesystem::path> filesReadFor(const std::filesystem::path& path);
 // What writing the document in this format leaves out, one sentence each; none for .voxprite.
 [[nodiscard]] std::vector<std::string> lossesOf(const Document& document, Format format);
 // The files that saving would replace, those beside `path` first: what a person has to agree to.

@@ -109,6 +109,7 @@ std::string withoutPercents(std::string_view uri) {
 }  // namespace
 
 Result<GltfContainer> gltfContainer(ByteView file) {
+    if (file.empty()) return failAtByte(0, "the file is empty");
     ByteReader reader(file);
     const auto text = [](ByteView bytes) {
         return std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -157,6 +158,29 @@ Result<Bytes> bytesOfUri(const std::string& uri, const ModelFolder& folder) {
     std::optional<Bytes> bytes = base64(std::string_view(uri).substr(comma + 1));
     if (!bytes) return fail("a data URI holds what is not base64");
     return std::move(*bytes);
+}
+
+std::vector<std::filesystem::path> gltfRefersTo(const std::filesystem::path& path) {
+    const Result<Bytes> file = readFile(path);
+    if (!file) return {};
+    const Result<GltfContainer> container = gltfContainer(*file);
+    if (!container) return {};
+    const Result<nlohmann::ordered_json> json = parseJson(container->json);
+    if (!json) return {};
+    std::vector<std::filesystem::path> files;
+    for (const char* list : {"buffers", "images"}) {
+        const auto found = json->find(list);
+        if (found == json->end()) continue;
+        for (const nlohmann::ordered_json& each : *found) {
+            const auto uri = each.find("uri");
+            if (uri == each.end() || !uri->is_string()) continue;
+            const std::string text = uri->get<std::string>();
+            if (text.starts_with("data:")) continue;
+            const std::optional<std::filesystem::path> named = pathInFolder(withoutPercents(text));
+            if (named) files.push_back(*named);
+        }
+    }
+    return files;
 }
 
 double GltfAccessor::number(std::size_t element, int component) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -71,5 +72,9 @@ class GltfBuffers {
 
 // The bytes of a URI: "data:...;base64,..." or another file of the model's folder.
 [[nodiscard]] Result<Bytes> bytesOfUri(const std::string& uri, const ModelFolder& folder);
+
+// The other files that the URIs of its buffers and images name, relative to its folder. None where
+// the file cannot be read.
+[[nodiscard]] std::vector<std::filesystem::path> gltfRefersTo(const std::filesystem::path& path);
 
 }  // namespace voxprite

@@ -38,8 +38,8 @@ namespace voxprite {
 // What it names them, without a folder, the .obj last.
 [[nodiscard]] std::vector<std::string> objNames(const std::filesystem::path& name,
                                                 const Document& document);
-// Does the .obj that lies there refer to the file of that name beside it: by `mtllib`, or in those
-// materials by `map_Kd`? Only their first 64 KiB are looked at.
-[[nodiscard]] bool objRefersTo(const std::filesystem::path& path, const std::string& neighbour);
+// The other files that the .obj that lies there names, relative to its folder: by `mtllib`, and in
+// those materials by `map_Kd`. Only their first 64 KiB are looked at.
+[[nodiscard]] std::vector<std::filesystem::path> objRefersTo(const std::filesystem::path& path);
 
 }  // namespace voxprite

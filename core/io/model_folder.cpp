@@ -9,6 +9,15 @@ namespace voxprite {
 
 namespace fs = std::filesystem;
 
+std::optional<fs::path> pathInFolder(std::string name) {
+    std::ranges::replace(name, '\\', '/');
+    const fs::path path(name);
+    const bool climbs = std::find(path.begin(), path.end(), "..") != path.end();
+    const bool hasDrive = name.size() > 1 && name[1] == ':';
+    if (path.is_absolute() || climbs || hasDrive) return std::nullopt;
+    return path.lexically_normal();
+}
+
 ModelFolder::ModelFolder(const fs::path& modelFile) : exists_(true) {
     folder_ = modelFile.has_parent_path() ? modelFile.parent_path() : fs::path(".");
 }
@@ -19,17 +28,13 @@ Result<Bytes> ModelFolder::read(const std::string& name) const {
     if (name.empty() || name.find('\0') != std::string::npos) {
         return fail(quoted + " is no file's name");
     }
-    std::string slashed = name;
-    std::ranges::replace(slashed, '\\', '/');
-    const fs::path path(slashed);
-    const bool climbs = std::find(path.begin(), path.end(), "..") != path.end();
-    const bool hasDrive = slashed.size() > 1 && slashed[1] == ':';
+    const std::optional<fs::path> path = pathInFolder(name);
     const Failure outside = fail(quoted + " is outside of the model's folder and is not opened");
-    if (path.is_absolute() || climbs || hasDrive) return outside;
+    if (!path) return outside;
     std::error_code error;
     const fs::path folder = fs::canonical(folder_, error);
     if (error) return fail(quoted + ": " + error.message());
-    const fs::path file = fs::canonical(folder / path, error);
+    const fs::path file = fs::canonical(folder / *path, error);
     if (error) return fail(quoted + ": " + error.message());
     const auto [inFolder, rest] =
         std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());

@@ -3,12 +3,17 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
 
 namespace voxprite {
+
+// What a name in a model means, relative to the model's folder; slashes of either kind. None where
+// that would lie outside.
+[[nodiscard]] std::optional<std::filesystem::path> pathInFolder(std::string name);
 
 class ModelFolder {
   public:

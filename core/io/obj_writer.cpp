@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "core/io/mesh_writer.h"
+#include "core/io/model_folder.h"
 #include "core/io/quad_mesh.h"
 #include "core/model/entity_voxels.h"
 
@@ -146,13 +147,14 @@ std::string stemOf(const std::filesystem::path& name) {
     return word(name.stem().string(), "model");
 }
 
-// What lines of a text file name after a keyword, as plain names that stay in the folder.
-std::vector<std::string> namesAfter(const std::string& keyword, const std::filesystem::path& path) {
+// The files that lines of a text file name after a keyword, relative to the model's folder.
+std::vector<std::filesystem::path> filesAfter(const std::string& keyword,
+                                              const std::filesystem::path& path) {
     std::string head(std::size_t{64} << 10, '\0');
     std::ifstream in(path, std::ios::binary);
     in.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
-    std::vector<std::string> names;
+    std::vector<std::filesystem::path> files;
     std::istringstream lines(head);
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words(line);
@@ -162,9 +164,9 @@ std::vector<std::string> namesAfter(const std::string& keyword, const std::files
         std::string name;
         std::getline(words, name);
         while (!name.empty() && (name.back() == '\r' || name.back() == ' ')) name.pop_back();
-        if (std::filesystem::path(name).filename() == name) names.push_back(name);
+        if (const auto file = pathInFolder(name)) files.push_back(*file);
     }
-    return names;
+    return files;
 }
 
 Bytes bytesOf(const std::string& text) {
@@ -179,14 +181,15 @@ std::vector<std::string> objNames(const std::filesystem::path& name, const Docum
     return {stem + ".png", stem + ".mtl", name.string()};
 }
 
-bool objRefersTo(const std::filesystem::path& path, const std::string& neighbour) {
-    for (const std::string& materials : namesAfter("mtllib", path)) {
-        if (materials == neighbour) return true;
-        const std::vector<std::string> textures =
-            namesAfter("map_Kd", path.parent_path() / materials);
-        if (std::ranges::find(textures, neighbour) != textures.end()) return true;
+std::vector<std::filesystem::path> objRefersTo(const std::filesystem::path& path) {
+    std::vector<std::filesystem::path> files = filesAfter("mtllib", path);
+    const std::size_t libraries = files.size();
+    for (std::size_t k = 0; k < libraries; ++k) {
+        for (std::filesystem::path& texture : filesAfter("map_Kd", path.parent_path() / files[k])) {
+            files.push_back(std::move(texture));
+        }
     }
-    return false;
+    return files;
 }
 
 Result<std::vector<NamedBytes>> writeObj(const SaveRequest& request) {

@@ -49,6 +49,9 @@ TEST_F(CliOutputs, PicturesDoNotReplaceModels) {
     const std::string mesh = saved("m.obj", documentOf(figure()));
     expectRefused({"render", mesh, "-o", file("m.png")}, "is read for", file("m.png"));
     EXPECT_EQ(run({"palette", vox, "--remove-unused", "-o", vox}).status, 0) << "in its place";
+    const std::string colours = file("two.gpl");
+    EXPECT_EQ(run({"palette", vox, "-o", colours}).status, 0);
+    expectRefused({"palette", vox, "--import", colours, "-o", colours}, "is read", colours);
 }
 
 TEST_F(CliOutputs, AMeshIsNotReplacedByItsVoxels) {
@@ -63,10 +66,51 @@ TEST_F(CliOutputs, AMeshIsNotReplacedByItsVoxels) {
     EXPECT_EQ(run({"convert", file("m.vox"), "-o", file("m.vox")}).status, 0) << "in its place";
 }
 
+TEST_F(CliOutputs, WhatAMeshRefersToIsNotReplaced) {
+    std::filesystem::create_directory(file("tx"));
+    const std::string picture = file("tx/a t.png"), buffer = file("g.bin");
+    ASSERT_TRUE(writePngFile(picture, Image(1, 1, Rgba8(200, 0, 0, 255))));
+    const float corners[9] = {0, 0, 0, 9, 0, 0, 0, 9, 0};
+    std::ofstream(buffer).write(reinterpret_cast<const char*>(corners), sizeof(corners));
+    std::ofstream(file("m.mtl")) << "newmtl a\nmap_Kd tx\\a t.png\n";
+    std::ofstream(file("m.obj"))
+        << "mtllib ./m.mtl\nv 0 0 0\nv 9 0 0\nv 0 9 0\nusemtl a\nf 1 2 3\n";
+    std::ofstream(file("g.gltf"))
+        << R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[)"
+           R"({"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,)"
+           R"("componentType":5126,"count":3,"type":"VEC3"}],)"
+           R"("bufferViews":[{"buffer":0,"byteLength":36}],)"
+           R"("buffers":[{"byteLength":36,"uri":"g.bin"}],)"
+           R"("images":[{"uri":"tx/a%20t.png"},{"uri":"data:image/png;base64,AAAA"}]})";
+    std::filesystem::create_symlink(picture, file("link.png"));
+    for (const std::string& mesh : {file("m.obj"), file("g.gltf")}) {
+        for (const char* command : {"render", "convert", "sheet", "palette"}) {
+            expectRefused({command, mesh, "-o", picture}, "is read for", picture);
+        }
+        expectRefused({"render", mesh, "-o", file("link.png")}, "is read for", picture);
+    }
+    expectRefused({"convert", file("g.gltf"), "--out-dir", file("out"), "--log", buffer},
+                  "is read for", buffer);
+}
+
+TEST_F(CliOutputs, APartOfAModelDoesNotTakeItsPlace) {
+    Document document = busyDocument();
+    document.palette.variants = {{"red", {{7, Rgba8(255, 0, 0, 255)}}}};
+    const std::string project = saved("a.voxprite", document);
+    expectRefused({"convert", project, "--variant", "red", "-o", project}, "is read", project);
+    EXPECT_EQ(run({"convert", project, "-o", project}).status, 0);
+    // Only reading tells which grids are passed over.
+    const std::string grids = saved("a.vdb", document);
+    expectRefused({"convert", grids, "--grid", "noise", "-o", grids}, "is read", grids);
+    EXPECT_EQ(run({"convert", grids, "-o", grids}).status, 0);
+}
+
 TEST_F(CliOutputs, TwoDoNotHaveOneName) {
     const std::string vox = saved("hut.vox", documentOf(figure()));
     expectRefused({"render", vox, "-o", file("a.png"), "--buffer", file("./a.png")}, "--buffer",
                   vox);
+    expectRefused({"sheet", vox, "-o", file("a.png"), "--turntable", file("./a.png")},
+                  "--turntable", vox);
     EXPECT_FALSE(std::filesystem::exists(file("a.png")));
 }
 

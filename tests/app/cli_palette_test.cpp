@@ -179,7 +179,43 @@ TEST_F(CliPalette, ColoursComeOutAndGoIn) {
     const ProgramResult blue = run({"palette", model(), "--variant", "Blue", "--json"});
     EXPECT_EQ(blue.status, 1);
     EXPECT_NE(blue.out.find("Red team, Winter"), std::string::npos) << blue.out;
-    EXPECT_EQ(run({"palette", model(), "-o", file("x.txt")}).status, 1);
+}
+
+TEST_F(CliPalette, ChangesNeedAFileThatCanHoldThem) {
+    ASSERT_EQ(run({"palette", model(), "-o", file("c.gpl")}).status, 0);
+    for (const std::vector<std::string>& change :
+         {std::vector<std::string>{"--import", file("c.gpl")},
+          {"--remove-unused"},
+          {"--suggest-ramps"}}) {
+        std::vector<std::string> arguments{"palette", model()};
+        arguments.insert(arguments.end(), change.begin(), change.end());
+        const ProgramResult result = run(arguments);
+        EXPECT_EQ(result.status, 2) << change[0];
+        EXPECT_NE(result.err.find("-o OUT"), std::string::npos) << result.err;
+    }
+    for (const char* name : {"x.txt", "x.gltf", "x"}) {
+        const ProgramResult result = run({"palette", model(), "-o", file(name)});
+        EXPECT_EQ(result.status, 2) << name;
+        EXPECT_NE(result.err.find(".gpl, .pal, .voxprite"), std::string::npos) << result.err;
+        EXPECT_FALSE(std::filesystem::exists(file(name)));
+    }
+}
+
+TEST_F(CliPalette, CountsWhatTheOutputHolds) {
+    document_.palette.ramps = {{"greens", {10, 30}}};
+    ASSERT_TRUE(saveDocument(model(), document_, GameProfile{}));
+    const auto report = [&](const char* output) {
+        return run({"palette", model(), "-o", file(output), "--json"}).json();
+    };
+    const Json all = report("all.voxprite");
+    EXPECT_EQ(all["variants"], 2);
+    EXPECT_EQ(all["ramps"], 1);
+    for (const char* name : {"few.vox", "few.gpl"}) {
+        const Json few = report(name);
+        EXPECT_EQ(few["variants"], 0) << name;
+        EXPECT_EQ(few["ramps"], 0) << name;
+        EXPECT_EQ(few["used"], all["used"]) << name;
+    }
 }
 
 }  // namespace

@@ -343,6 +343,15 @@ TEST_F(CliRender, APictureLargerThanCanBeIsNotWritten) {
     }
 }
 
+TEST_F(CliRender, APictureTooLargeForTheMemoryIsRefused) {
+    const ProgramResult result =
+        run({"-c", R"(ulimit -v 3000000; exec "$0" "$@")", VOXPRITE_PROGRAM, "render", model(),
+             "-o", file("huge.png"), "--backend", "cpu", "--size", "32768x32768"},
+            "", "/bin/sh");
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(result.err, "voxprite render: there is not enough memory\n");
+}
+
 TEST_F(CliRender, FramesShareBounds) {
     ASSERT_TRUE(saveDocument(file("walk.voxprite"),
                              animationOf({solidBox({2, 2, 2}), solidBox({9, 4, 6})}),

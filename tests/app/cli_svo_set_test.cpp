@@ -53,7 +53,9 @@ TEST_F(CliSvoSet, WhereOneIsMeantItMustBeChosen) {
          {std::vector<std::string>{"render", set, "--json"},
           {"convert", set, "-o", file("out.vox"), "--json"},
           {"export", set, "-o", file("out.svo"), "--json"},
-          {"sheet", set, "-o", file("out.png"), "--json"}}) {
+          {"sheet", set, "-o", file("out.png"), "--json"},
+          {"trade", set, "-o", file("report"), "--quick", "--axes", "mode", "--backend", "cpu",
+           "--json"}}) {
         const ProgramResult refused = run(command);
         EXPECT_EQ(refused.status, 1);
         const std::string message = refused.json()["error"]["message"];
@@ -64,6 +66,8 @@ TEST_F(CliSvoSet, WhereOneIsMeantItMustBeChosen) {
         chosen.back() = "3";
         EXPECT_EQ(run(chosen).status, 1) << command[0];
     }
+    const ProgramResult turned = run({"trade", "--temporal", set, "--entity", "3"});
+    EXPECT_NE(turned.err.find("there is no entity 3"), std::string::npos) << turned.err;
     // What comes out of the set alone is what went in.
     const SvoFile one = must(readSvo(must(readFile(file("out.svo")))));
     EXPECT_EQ(one, must(readSvo(must(readFile(set)), 2)));

@@ -154,7 +154,7 @@ TEST_F(TradeReport, GoesAlongARecordedWay) {
 }
 
 TEST_F(TradeReport, BudgetsChooseAndWriteAProfile) {
-    const std::string profile = file("game.json");
+    const std::string profile = file("report/game.json");  // a folder that is made first
     const ProgramResult result =
         run(command(file("report"), {"--json", "--budget-error", "1", "--write-profile", profile}));
     ASSERT_EQ(result.status, 0) << result.err;
@@ -222,7 +222,48 @@ TEST_F(TradeReport, SaysWhatIsWrong) {
     EXPECT_EQ(run({"trade", model(), "-o", file("x"), "--write-profile", "p.json"}).status, 2);
     EXPECT_EQ(run({"trade", model(), "-o", file("x"), "--axes", "colour"}).status, 2);
     EXPECT_EQ(run({"trade", file("none.vox"), "-o", file("x")}).status, 1);
+    EXPECT_EQ(run({"trade", "-o", file("x"), "--costs", "--entity", "0"}).status, 2);
     EXPECT_FALSE(std::filesystem::exists(file("x")));
+}
+
+TEST_F(TradeReport, NumbersOutOfRangeAreWrongUsage) {
+    for (const auto& [option, value] :
+         std::vector<std::pair<std::string, std::string>>{{"--seed", "-1"},
+                                                          {"--seed", "18446744073709551616"},
+                                                          {"--seed", "1.5"},
+                                                          {"--budget-error", "2.5"},
+                                                          {"--budget-error", "-0.1"},
+                                                          {"--budget-error", "nan"},
+                                                          {"--budget-ms", "-1"},
+                                                          {"--budget-ms", "inf"}}) {
+        const ProgramResult refused = run(command(file("x"), {option + "=" + value}));
+        EXPECT_EQ(refused.status, 2) << option << " " << value;
+        EXPECT_NE(refused.err.find(option + ": "), std::string::npos) << refused.err;
+    }
+    EXPECT_FALSE(std::filesystem::exists(file("x")));
+}
+
+// Before anything is measured.
+TEST_F(TradeReport, TheProfileReplacesNothingThatIsRead) {
+    const std::string way = file("way.json");
+    std::ofstream(way) << R"({"voxprite_way": 1, "frames": [{"yaw": 1, "pitch": 2}, )"
+                          R"({"yaw": 3, "pitch": 2}]})";
+    std::filesystem::create_symlink(model(), file("link.json"));
+    std::filesystem::create_directory(file("folder.json"));
+    const auto status = [&](const std::string& profile) {
+        return run(command(file("x"),
+                           {"--budget-error", "1", "--way", way, "--write-profile", profile}))
+            .status;
+    };
+    const std::string before = contentOf(model());
+    EXPECT_EQ(status(model()), 2);
+    EXPECT_EQ(status(file("link.json")), 2);
+    EXPECT_EQ(status(way), 2);
+    EXPECT_EQ(status(""), 2);
+    EXPECT_EQ(status(file("folder.json")), 1);
+    EXPECT_EQ(status(file("none/game.json")), 1);
+    EXPECT_EQ(contentOf(file("figure.vox")), before);
+    EXPECT_FALSE(std::filesystem::exists(file("x/trade.json")));
 }
 
 }  // namespace

@@ -3,8 +3,11 @@
 #include <CLI/Error.hpp>
 #include <CLI/Validators.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
+#include "app/cli/arguments.h"
+#include "app/cli/outputs.h"
 #include "app/cli/text_table.h"
 #include "app/cli/trade/camera_way.h"
 #include "app/cli/trade/run.h"
@@ -110,6 +113,36 @@ void addLeftOut(const TradeReport& measured, cli::Report& report) {
     if (!measured.failures.empty()) report.failure = measured.failures.front();
 }
 
+std::optional<std::uint64_t> seedFrom(std::string_view text) {
+    std::uint64_t seed = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return seed;
+}
+
+void checkUsage(const ReportOptions& options) {
+    const bool budget = options.budgetMs || options.budgetError;
+    if (options.files.empty() && !options.costs)
+        throw CLI::ValidationError("FILES", "are needed: which models to measure");
+    if (options.budgetMs && options.budgetError)
+        throw CLI::ValidationError("--budget-ms", "excludes --budget-error");
+    if (budget && options.files.empty())
+        throw CLI::ValidationError("FILES", "are needed for a budget");
+    if (options.budgetMs && *options.budgetMs < 0.0)
+        throw CLI::ValidationError("--budget-ms", "must be 0 or more");
+    if (options.budgetError && (*options.budgetError < 0.0 || *options.budgetError > 1.0))
+        throw CLI::ValidationError("--budget-error", "must be 0 to 1");
+    if (!options.writeProfile) return;
+    if (!budget)
+        throw CLI::ValidationError("--write-profile", "needs --budget-ms or --budget-error");
+    const cli::Output profile{"--write-profile", *options.writeProfile};
+    // The game's own profile may be written again.
+    std::vector<std::string> inputs = options.files;
+    if (options.way) inputs.push_back(*options.way);
+    cli::checkEnding(profile, {".json"});
+    cli::checkReplacesNone(profile, inputs);
+}
+
 }  // namespace
 
 void addReportOptions(CLI::App& sub, ReportOptions& options) {
@@ -125,7 +158,8 @@ void addReportOptions(CLI::App& sub, ReportOptions& options) {
                 "and plots there")
             ->type_name("DIR");
     group.add_flag("--quick", options.quick, "Fewer settings and views: under 30 s a small model");
-    group.add_option("--seed", options.seed, "Of the views: the same seed gives the same errors");
+    cli::addParsed(group, "--seed", "N", "Of the views: the same seed gives the same errors",
+                   seedFrom, [&options](std::uint64_t seed) { options.seed = seed; });
     group
         .add_option("--axes", options.axes, "Only these: sigma, view_step, snapshots, levels, ...")
         ->delimiter(',')
@@ -142,14 +176,12 @@ void addReportOptions(CLI::App& sub, ReportOptions& options) {
         ->check(CLI::IsMember({"auto", "cpu", "gl"}));
     group.add_flag("--costs", options.costs,
                    "Costs that grow, too: with model, sigma, screen and crowd");
-    group
-        .add_option("--budget-ms", options.budgetMs,
-                    "Say the most accurate setting that takes at most so long a frame")
-        ->type_name("MS");
-    group
-        .add_option("--budget-error", options.budgetError,
-                    "Say the cheapest setting whose error (FLIP, 0 ... 1) is at most that")
-        ->type_name("FLIP");
+    cli::addParsed(group, "--budget-ms", "MS",
+                   "Say the most accurate setting that takes at most so long a frame",
+                   cli::numberFrom, [&options](double most) { options.budgetMs = most; });
+    cli::addParsed(group, "--budget-error", "FLIP",
+                   "Say the cheapest setting whose error (FLIP, 0 ... 1) is at most that",
+                   cli::numberFrom, [&options](double most) { options.budgetError = most; });
     group.add_option("--yardstick", options.yardstick, "Of budgets: sprite or perspective")
         ->check(CLI::IsMember({"sprite", "perspective"}));
     group
@@ -162,22 +194,12 @@ void addReportOptions(CLI::App& sub, ReportOptions& options) {
 }
 
 Result<cli::Report> reportTrade(const ReportOptions& options) {
-    const bool budget = options.budgetMs || options.budgetError;
-    if (options.files.empty() && !options.costs)
-        throw CLI::ValidationError("FILES", "are needed: which models to measure");
-    if (options.budgetMs && options.budgetError)
-        throw CLI::ValidationError("--budget-ms", "excludes --budget-error");
-    if (budget && options.files.empty())
-        throw CLI::ValidationError("FILES", "are needed for a budget");
-    for (const std::optional<double>& value : {options.budgetMs, options.budgetError})
-        if (value && !(std::isfinite(*value) && *value >= 0.0))
-            throw CLI::ValidationError("the budget", "must be 0 or more");
-    if (options.writeProfile && !budget)
-        throw CLI::ValidationError("--write-profile", "needs --budget-ms or --budget-error");
-
+    checkUsage(options);
     RunOptions run;
     run.files = options.files;
+    run.reading = options.reading;
     run.folder = options.folder;
+    run.writeProfile = options.writeProfile;
     run.profile = options.profile;
     if (options.way) {
         Result<std::vector<OrbitAngles>> way = readCameraWay(*options.way);
@@ -220,7 +242,7 @@ Result<cli::Report> reportTrade(const ReportOptions& options) {
                 .value();
         return report;
     }
-    if (budget && !measured->models.empty()) {
+    if ((options.budgetMs || options.budgetError) && !measured->models.empty()) {
         if (Status chosen = addChoice(options, *measured, report); !chosen)
             report.failure = chosen.error();
     }

@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "core/io/formats.h"
 
 namespace voxprite::trade {
 
 struct ReportOptions {
     std::string folder;
     std::vector<std::string> files;
+    ReadOptions reading;
     std::vector<std::string> axes;  // by nameOf(Axis); empty: all
     std::optional<std::string> profile;
     std::optional<std::string> way;  // a file, camera_way.h

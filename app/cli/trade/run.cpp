@@ -15,6 +15,7 @@
 #include "app/trade/gl_stage.h"
 #include "app/trade/model_parts.h"
 #include "commit.h"
+#include "core/base/file.h"
 #include "core/base/stopwatch.h"
 #include "core/model/entity_voxels.h"
 #include "core/svo/bake.h"
@@ -118,7 +119,8 @@ void leaveOutClusters(std::vector<AxisSetting>& settings) {
 }
 
 Result<Subject> subjectOf(const std::string& file, const RunOptions& options, bool gl) {
-    Result<LoadedDocument> loaded = cli::loadSource(file, std::nullopt);
+    Result<LoadedDocument> loaded =
+        cli::loadSource(file, std::nullopt, std::nullopt, options.reading);
     if (!loaded) return Failure(loaded.error());
     const VoxelGrid voxels = flatten(loaded->document, 0);
     if (voxels.empty()) return failInFile(file, "its first frame has no voxels to measure");
@@ -304,6 +306,9 @@ Result<TradeReport> runTrade(const RunOptions& options) {
         subjects.push_back(std::move(*subject));
     }
     if (Status folder = makeFolder(options.folder); !folder) return Failure(folder.error());
+    if (options.writeProfile) {
+        if (Status may = checkWritable(*options.writeProfile); !may) return Failure(may.error());
+    }
     ProgressLine line(whole);
     for (const Subject& subject : subjects) {
         if (line.stopped()) break;

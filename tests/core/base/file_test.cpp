@@ -136,6 +136,7 @@ TEST(File, WhatCannotBeWrittenIsKnownBefore) {
               writeFileAtomically(missing, std::string("a")).error().describe());
     std::filesystem::create_symlink("missing/a", folder / "link");
     EXPECT_FALSE(checkWritable(folder / "link"));
+    EXPECT_FALSE(checkWritable(folder.path()));
     EXPECT_TRUE(checkWritable(folder / "a"));
     EXPECT_TRUE(checkWritable("/dev/null"));
     EXPECT_EQ(entriesIn(folder.path()), 1u);

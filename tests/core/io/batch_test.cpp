@@ -52,6 +52,20 @@ TEST(Batch, IsPlannedBeforeAnyWork) {
                 HasSubstr("nothing was converted"));
 }
 
+TEST(Batch, OverwritesNothingThatIsReadForAnInput) {
+    const test::TemporaryFolder folder, layers;
+    const fs::path mesh = folder / "m.obj";
+    for (const fs::path& path : {mesh, layers / "hut_000.png"}) {
+        ASSERT_TRUE(saveDocument(path, test::documentOf(test::figure()), GameProfile{}));
+    }
+    EXPECT_THAT(planBatch({mesh}, folder.path(), Format::png).error().describe(),
+                HasSubstr("m.png: is read for " + mesh.string()));
+    EXPECT_THAT(
+        planBatch({"hut_001.vox", layers.path()}, layers.path(), Format::png).error().describe(),
+        HasSubstr("hut_001.png: is read for " + layers.path().string()));
+    EXPECT_TRUE(planBatch({mesh, layers.path()}, folder.path(), Format::vox));
+}
+
 class BatchOfFiles : public testing::Test {
   protected:
     BatchOfFiles() {
@@ -105,6 +119,15 @@ TEST_F(BatchOfFiles, OneThatFailsStopsAndSpoilsNoOther) {
     EXPECT_EQ(outcomes_[1].from, Format::voxprite);
     EXPECT_EQ(outcomes_[1].bytes, files.at("busy.vox").size());
     EXPECT_FALSE(outcomes_[1].losses.empty());
+}
+
+TEST_F(BatchOfFiles, OneThatIsTooLargeForTheMemorySaysSo) {
+    const test::TemporaryFolder out;
+    BatchOptions options;
+    options.prepare = [](Document&) -> Status { throw std::bad_alloc(); };
+    outcomes_ = runBatch(must(planBatch({inputs_[0]}, out.path(), Format::qb)), options, {});
+    ASSERT_TRUE(outcomes_[0].error);
+    EXPECT_EQ(outcomes_[0].error->describe(), inputs_[0].string() + ": there is not enough memory");
 }
 
 TEST_F(BatchOfFiles, TheOutputIsAFunctionOfTheInputAlone) {

@@ -115,8 +115,20 @@ TEST(Formats, CsmKeepsTheVoxelsOfOneFrame) {
     ASSERT_FALSE(wrong);
     EXPECT_EQ(wrong.error().describe(),
               path.string() + ": line 2, column 9: a value above 255 has no voxel: 0 to 255");
-    std::ofstream(path) << "";
+    std::ofstream(path) << "# nothing\n";
     EXPECT_EQ(loadDocument(path)->warnings.size(), 1u);
+}
+
+// A copy that broke off at once is no model without voxels.
+TEST(Formats, AFileWithoutAByteIsRefused) {
+    const test::TemporaryFolder folder;
+    for (const FormatInfo& info : formats()) {
+        const fs::path path = folder / (std::string("empty") + info.ending);
+        std::ofstream(path) << "";
+        const auto loaded = loadDocument(path);
+        ASSERT_FALSE(loaded) << info.ending;
+        EXPECT_EQ(loaded.error().message.find("JSON"), std::string::npos) << info.ending;
+    }
 }
 
 TEST(Formats, ProjectsRecordTheProfileAtTheTimeOfSaving) {
@@ -216,6 +228,30 @@ TEST(Formats, SayWhatTheyHaveNoWordsFor) {
     document.entity = {};
     document.authored = {};
     EXPECT_TRUE(lossesOf(document, Format::vox).empty());
+}
+
+// Two frames that no clip shows; one of them looks like one that is shown.
+TEST(Formats, SvoTellsWhatBecomesOfFramesWithoutClip) {
+    const test::TemporaryFolder folder;
+    Document document = test::animationOf(
+        {test::figure(), test::asymmetric(), test::figure(), test::solidBox({2, 2, 2})});
+    document.clips = {Clip{"step", 0, 1, 8.0, true, {}}};
+    document.sockets = {Socket{"hand", {{0, {1, 1, 1}}, {3, {2, 2, 2}}}},
+                        Socket{"still", {{0, {1, 1, 1}}}}};
+    EXPECT_EQ(lossesOf(document, Format::svo),
+              (std::vector<std::string>{
+                  ".svo has frames in clips alone: the 2 that no clip shows are added at the end, "
+                  "but for those that look like another",
+                  ".svo has sockets in clips alone: where they lie in other frames is left out"}));
+    const fs::path path = folder / "step.svo";
+    ASSERT_TRUE(saveDocument(path, document, GameProfile{}));
+    const auto back = loadDocument(path);
+    ASSERT_TRUE(back);
+    EXPECT_EQ(frameCount(back->document), 3);
+    EXPECT_EQ(positionAt(back->document.sockets[0], 2), glm::dvec3(1, 1, 1));
+    // What lies in all frames where the last clip leaves it is kept.
+    document.sockets.erase(document.sockets.begin());
+    EXPECT_EQ(lossesOf(document, Format::svo).size(), 1u);
 }
 
 }  // namespace

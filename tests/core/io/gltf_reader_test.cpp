@@ -326,7 +326,7 @@ TEST(GltfReader, WhatIsWrongIsNamed) {
     EXPECT_THAT(changed(std::string("\0\0\x80\x40", 4), std::string("\0\0\xC0\x7F", 4)),
                 HasSubstr("a position is not a number"));
     EXPECT_THAT(errorOf({'{'}), HasSubstr("line 1"));
-    EXPECT_THAT(errorOf({}), HasSubstr("line 1"));
+    EXPECT_THAT(errorOf({}), HasSubstr("the file is empty"));
     EXPECT_THAT(errorOf({'g', 'l', 'T', 'F', 1, 0, 0, 0}), HasSubstr("byte 4: glTF 1"));
 }
 
