@@ -141,7 +141,7 @@ void App::buildUi(Ui& ui) {
 
     beginPanel(ui, "panel.options", layout.options, theme.px(12, 6), ImGuiWindowFlags_NoScrollbar);
     const ToolAnswer answer = drawToolOptions(ui, voxels_.tools().tool());
-    if (answer == ToolAnswer::keep) keepToolsWork();
+    if (answer == ToolAnswer::keep) commands_.ask(CommandId::keepMade);
     if (answer == ToolAnswer::drop) voxels_.tools().cancel(session_);
     ImGui::End();
 
@@ -318,19 +318,19 @@ void App::followTrade() {
 void App::lockCameras() {
     OrbitCamera& edit = voxels_.camera();
     OrbitCamera& sprite = sprite_.camera();
-    if (settings_.view.lockCameras && framed_) {
+    if (!settings_.view.lockCameras) {
+        // What the edit view has done to the game's picture goes with the lock.
+        if (unlocked_) sprite.orthographic = unlocked_->orthographic;
+        unlocked_.reset();
+    } else if (framed_) {
+        if (!unlocked_) unlocked_ = sprite;
         const PlacedEntity inEdit = session_.placedForEditing();
         const PlacedEntity inGame = session_.placedInGame();
-        const double metres = inGame.metresPerVoxel();
-        const bool spriteMoved = sprite != before_.sprite && edit == before_.edit;
-        const OrbitCamera from = spriteMoved ? sprite : edit;
-        OrbitCamera& to = spriteMoved ? edit : sprite;
-        const double unit = spriteMoved ? 1.0 / metres : metres;
-        const glm::dvec3 fromCentre = spriteMoved ? inGame.centreMetres() : inEdit.centreMetres();
-        const glm::dvec3 toCentre = spriteMoved ? inEdit.centreMetres() : inGame.centreMetres();
-        to = from;
-        to.distance = from.distance * unit;
-        to.target = toCentre + (from.target - fromCentre) * unit;
+        if (sprite != before_.sprite && edit == before_.edit) {
+            edit.lookLike(sprite, inGame, inEdit);
+        } else {
+            sprite.lookLike(edit, inEdit, inGame);
+        }
     }
     before_ = {edit, sprite};
 }

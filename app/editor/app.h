@@ -141,7 +141,8 @@ class App {
     int viewsByGl_ = 0;
     struct CameraPair {
         OrbitCamera edit, sprite;
-    } before_;  // of the frame before, to see which one was moved
+    } before_;                             // of the frame before, to see which one was moved
+    std::optional<OrbitCamera> unlocked_;  // the sprite's when the two were locked together
 };
 
 }  // namespace voxprite::editor

@@ -120,6 +120,17 @@ void moveElement(Iterator begin, int from, int to) {
     if (to < from) std::rotate(begin + to, begin + from, begin + from + 1);
 }
 
+// The lengths of a clip's frames when it begins `frames` later: those before go, but one is left.
+// Earlier, the first is repeated.
+void moveStart(std::vector<int>& lengths, int frames) {
+    const int most = static_cast<int>(lengths.size()) - 1;
+    if (frames > 0) {
+        lengths.erase(lengths.begin(), lengths.begin() + std::min(frames, most));
+    } else {
+        lengths.insert(lengths.begin(), static_cast<std::size_t>(-frames), lengths.front());
+    }
+}
+
 }  // namespace
 
 Result<Action> addFrame(const Document& document, int object, int frame, NewFrame what) {
@@ -182,12 +193,16 @@ Action addClip(const Document& document, int first, int last) {
 
 Action setClip(const Document& document, int clip, Clip value, std::uint64_t mergeKey) {
     Action action = sceneAction("Edit clip", document, [&](SceneEdit& edit) {
-        if (!value.durationsMilliseconds.empty()) {
-            value.durationsMilliseconds.resize(
-                static_cast<std::size_t>(value.last - value.first) + 1,
-                value.durationsMilliseconds.back());
+        Clip& before = edit.after.clips[static_cast<std::size_t>(clip)];
+        std::vector<int>& lengths = value.durationsMilliseconds;
+        if (!lengths.empty()) {
+            // Where only the clip begins elsewhere, its frames keep their lengths.
+            if (lengths == before.durationsMilliseconds) {
+                moveStart(lengths, value.first - before.first);
+            }
+            lengths.resize(static_cast<std::size_t>(value.last - value.first) + 1, lengths.back());
         }
-        edit.after.clips[static_cast<std::size_t>(clip)] = std::move(value);
+        before = std::move(value);
     });
     action.mergeKey = mergeKey;
     return action;

@@ -24,7 +24,8 @@ enum class NewFrame : std::uint8_t {
 
 // A clip of the frames first ... last, with a name that no other has.
 [[nodiscard]] Action addClip(const Document& document, int first, int last);
-// `clip` is an index into Document::clips. Its durations are made as many as its frames.
+// `clip` is an index into Document::clips. Its durations are made as many as its frames; where
+// `value` has those of before, each frame keeps its own.
 [[nodiscard]] Action setClip(const Document& document, int clip, Clip value,
                              std::uint64_t mergeKey);
 [[nodiscard]] Action deleteClip(const Document& document, int clip);

@@ -28,6 +28,8 @@ struct RegionRule {
 // A region that spreads over more cubes of 8 than the last argument is refused with an error; the
 // whole of a solid model of 1024 cubed would be twice as many as this.
 inline constexpr std::size_t kMaxRegionBlocks = std::size_t{1} << 20;
+// For a region that follows the pointer: of a larger one nobody should wait for the end.
+inline constexpr std::size_t kQuickRegionBlocks = 2'048;
 
 // The solid voxels connected to `seed`; empty when `seed` is.
 [[nodiscard]] Result<VoxelSet> connectedRegion(const VoxelGrid& voxels, glm::ivec3 seed,

@@ -92,6 +92,38 @@ TEST(EditorOrbitCamera, WithoutPerspectiveTheTargetKeepsItsSize) {
     }
 }
 
+TEST(EditorOrbitCamera, LooksAtTheSameVoxelOfATurnedBox) {
+    test::Random random(6);
+    const IBox bounds{{-3, 2, 5}, {9, 11, 20}};
+    for (int i = 0; i < 50; ++i) {
+        Entity entity;
+        entity.yawDegrees = random.unit() * 360 - 180;
+        entity.pitchDegrees = random.unit() * 180 - 90;
+        entity.rollDegrees = random.unit() * 360 - 180;
+        entity.scale = 0.5 + random.unit();
+        entity.positionMetres = {random.unit(), random.unit(), random.unit()};
+        const PlacedEntity inEdit = Session::placedForEditing(bounds);
+        const PlacedEntity inGame = placeEntity(entity, bounds, GameProfile{});
+        const glm::dvec3 voxel(random.unit() * 20, random.unit() * 20, random.unit() * 20);
+        OrbitCamera edit, sprite;
+        edit.target = inEdit.worldFromVoxel(voxel);
+        edit.yawDegrees = random.unit() * 360 - 180;
+        edit.pitchDegrees = random.unit() * 180 - 90;
+        edit.orthographic = true;
+        sprite.lookLike(edit, inEdit, inGame);
+        EXPECT_NEAR(glm::distance(sprite.target, inGame.worldFromVoxel(voxel)), 0.0, 1e-9);
+        EXPECT_EQ(sprite.yawDegrees, edit.yawDegrees);
+        EXPECT_EQ(sprite.pitchDegrees, edit.pitchDegrees);
+        EXPECT_NEAR(sprite.distance, edit.distance * inGame.metresPerVoxel(), 1e-9);
+        EXPECT_TRUE(sprite.orthographic);
+
+        OrbitCamera again;
+        again.lookLike(sprite, inGame, inEdit);
+        EXPECT_NEAR(glm::distance(again.target, edit.target), 0.0, 1e-9);
+        EXPECT_NEAR(again.distance, edit.distance, 1e-9);
+    }
+}
+
 TEST(EditorCameraTurn, ArrivesExactlyWithinAFifthOfASecondTheShorterWay) {
     OrbitCamera camera, wanted;
     camera.yawDegrees = 170;

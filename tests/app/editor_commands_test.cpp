@@ -39,6 +39,14 @@ TEST(EditorCommands, WhatChangesObjectsAndFramesSettlesFirst) {
     }
 }
 
+// Which colours are in use is only known once everything is put down.
+TEST(EditorCommands, WhatNeedsUnusedColoursSettlesFirst) {
+    using enum CommandId;
+    for (const CommandId id : {removeUnusedColours, duplicateColour}) {
+        EXPECT_TRUE(commandOf(id).settles) << commandOf(id).name;
+    }
+}
+
 TEST(EditorCommands, DefaultKeysMeanOneThingEach) {
     for (const Command& command : commands()) {
         EXPECT_EQ(conflictText(command, {}), "") << command.name;

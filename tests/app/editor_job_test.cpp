@@ -257,6 +257,26 @@ TEST_F(EditorFileFlow, NothingComesDownUnderAStepThatTakesLong) {
     EXPECT_EQ(session.octree().at({9, 9, 9}), 4);
 }
 
+// The step of the drag is put in force as soon as it is there, whoever reads the document then.
+TEST_F(EditorFileFlow, NothingComesDownBesideADrag) {
+    makeLarge();
+    ASSERT_TRUE(lift(session, settings.tool, Floating::Kind::move));
+    session.selection().changeFloating([](Floating& floating) { floating.moveBy({0, 0, 5}); });
+    dragTo(3, session.newMergeKey());
+    ASSERT_TRUE(files.drags());
+    EXPECT_FALSE(context.settle());
+    EXPECT_TRUE(session.selection().floating());
+    files.quit();
+    files.finishWork();
+    EXPECT_EQ(session.history().position(), 2u);
+    draw();
+    // It came down before the question was asked.
+    EXPECT_FALSE(session.selection().floating());
+    EXPECT_EQ(dialogs.openName(), "unsaved");
+    EXPECT_EQ(session.history().position(), 3u);
+    EXPECT_EQ(place(), 3);
+}
+
 // What writes goes on until it has stopped: nothing is written beside it.
 TEST_F(EditorFileFlow, WhatIsCancelledEndsBeforeTheNextBegins) {
     std::atomic<bool> stops = false;

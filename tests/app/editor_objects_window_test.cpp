@@ -3,6 +3,7 @@
 // that was opened.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "core/io/formats.h"
@@ -235,6 +236,30 @@ TEST_F(ObjectsInAWindow, FramesAndSocketsAreMadeAndUndone) {
     }
     ASSERT_NO_FATAL_FAILURE(made("everything undone", 0));
     EXPECT_EQ(document, start);
+}
+
+TEST_F(ObjectsInAWindow, TheFrameWhoseLengthIsDraggedStays) {
+    ASSERT_NO_FATAL_FAILURE(open());
+    click(centreOf("object.1"));
+    key("Insert");
+    ASSERT_NO_FATAL_FAILURE(made("a frame", 1));
+    click(centreOf("command.add_clip"));
+    ASSERT_NO_FATAL_FAILURE(made("a clip", 2));
+    click(centreOf("timeline.clipSettings"));
+    click(centreOf("clip.each"));
+    await("own lengths", [](const Json& now) { return now.at("state").at("steps") == 3; });
+    // A click beside the settings closes them.
+    const glm::ivec2 play = centreOf("command.play");
+    click(play);
+    await("the settings to close",
+          [](const Json& now) { return !now.at("items").contains("clip.each"); });
+    click(play);
+    const glm::ivec2 length = centreOf("timeline.rate");
+    carry(length, length + glm::ivec2(40, 0));
+    ASSERT_NO_FATAL_FAILURE(made("a length", 4));
+    const std::vector<int>& lengths = document.clips.at(0).durationsMilliseconds;
+    ASSERT_EQ(lengths.size(), 2u);
+    EXPECT_EQ(std::ranges::count(lengths, 125), 1);
 }
 
 }  // namespace

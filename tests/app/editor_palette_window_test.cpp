@@ -130,6 +130,15 @@ TEST_F(PaletteInAWindow, ManyAreChangedAtOnce) {
     awaitState("steps", 4);
     awaitState("colour", *copy);
     expected = withDuplicate(expected, 40, *copy);
+    // What is in the air comes down first, and is recoloured with the rest.
+    key("ctrl+a");
+    awaitState("selected", 120);
+    key("Prior");
+    awaitState("making", true);
+    click(swatch(3), 3);  // where sorting has put the colour 5
+    click(centreOf("palette.menu.recolour"));
+    awaitState("steps", 6);
+    awaitState("making", false);
 
     key("ctrl+s");
     awaitState("unsaved", false);
@@ -138,6 +147,7 @@ TEST_F(PaletteInAWindow, ManyAreChangedAtOnce) {
     ASSERT_TRUE(saved);
     EXPECT_EQ(saved->document.palette, expected);
     EXPECT_NE(expected, start.palette);
+    EXPECT_EQ(colourCounts(saved->document)[*copy], 120u);
 }
 
 }  // namespace

@@ -3,11 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/session/session.h"
+#include "app/editor/views/onion_skin.h"
+#include "core/edit/frame_edits.h"
 #include "core/edit/make_action.h"
 #include "core/edit/patches.h"
 #include "core/edit/scene_edits.h"
 #include "core/model/entity_voxels.h"
 #include "core/svo/bake.h"
+#include "tests/render/gl_test.h"
+#include "tests/support/must.h"
 #include "tests/support/random.h"
 #include "tests/support/temporary_folder.h"
 
@@ -140,6 +144,29 @@ TEST(EditorPreview, UploadsOnlyWhatDiffers) {
     // The same again is no change at all.
     ASSERT_TRUE(session.preview({patchVoxels(session.document(), 0, where, EditMode::attach, 3)}));
     EXPECT_FALSE(session.takeOctreeChanges().any());
+}
+
+class EditorPreviewOverOnionSkin : public test::GlTest {};
+
+TEST_F(EditorPreviewOverOnionSkin, LeavesTheFramesBesideAsTheyAre) {
+    Session session;
+    const auto attach = [&](const IBox& box) {
+        return patchBox(session.document(), 0, box, EditMode::attach, 5);
+    };
+    ASSERT_TRUE(session.perform(makeAction("a box", attach({{0, 0, 0}, {4, 4, 4}}))));
+    ASSERT_TRUE(session.perform(test::must(addFrame(session.document(), 1, 0, NewFrame::copy))));
+    OnionSkin skin;
+    const auto beside = [&] { return test::must(skin.ghosts(session, true)).at(0).octree; };
+    const std::uint64_t before = beside()->revision();
+
+    ASSERT_TRUE(session.preview({attach({{6, 0, 0}, {9, 4, 4}})}));
+    ASSERT_NE(session.shownBounds(), session.bounds());
+    EXPECT_EQ(beside()->revision(), before);
+    EXPECT_EQ(beside()->size(), session.bounds().size());
+    // Until it is made.
+    ASSERT_TRUE(session.perform(makeAction("more", attach({{6, 0, 0}, {9, 4, 4}}))));
+    EXPECT_NE(beside()->revision(), before);
+    EXPECT_EQ(beside()->size(), session.bounds().size());
 }
 
 }  // namespace

@@ -6,9 +6,12 @@
 #include <tuple>
 
 #include "app/editor/session/selection_edits.h"
+#include "app/editor/tools/select_tools.h"
+#include "core/edit/frame_edits.h"
 #include "core/edit/scene_edits.h"
 #include "core/model/voxel_grid.h"
 #include "tests/app/tool_hand.h"
+#include "tests/support/must.h"
 #include "tests/support/random.h"
 
 namespace voxprite::editor {
@@ -144,6 +147,34 @@ TEST_F(Selecting, ABoxIsDraggedAddedToTakenFromAndResized) {
     EXPECT_EQ(session.history().position(), steps);
 }
 
+// Its figures would select in another object, or elsewhere in this one.
+TEST_F(Selecting, ABoxGoesWhenItsObjectGetsAnotherIndexOrMoves) {
+    const int lower = session.activeNode();
+    ASSERT_TRUE(session.perform(addObject(session.document(), "other")));
+    const IBox plate{{-9, -9, 0}, {-5, -5, 1}};
+    ASSERT_TRUE(session.perform(
+        makeAction("plate", patchBox(session.document(), 1, plate, EditMode::attach, 6))));
+    settings.choose(ToolKind::selectBox);
+    drag({faceOf({-9, -9, 0}), faceOf({-6, -6, 0})});
+    ASSERT_EQ(session.selection().node(), lower + 1);
+    ASSERT_EQ(session.selection().voxels().count(), 16u);
+    ASSERT_TRUE(session.perform(deleteNodes(session.document(), std::array{lower})));
+    tools.tool()->setFigure(0, 2);
+    moveTo({1, 1});
+    EXPECT_EQ(session.selection().node(), lower);
+    EXPECT_EQ(session.selection().voxels().count(), 16u);
+    EXPECT_TRUE(tools.tool()->figures().empty());
+    EXPECT_TRUE(chosenVoxels(session));
+
+    drag({faceOf({-8, -8, 0}), faceOf({-6, -6, 0})});
+    ASSERT_EQ(session.selection().voxels().count(), 9u);
+    ASSERT_TRUE(session.perform(moveObject(session.document(), lower, {5, 0, 0}, 0)));
+    tools.tool()->setFigure(0, 2);
+    moveTo({1, 1});
+    EXPECT_EQ(session.selection().voxels().count(), 9u);
+    EXPECT_TRUE(tools.tool()->figures().empty());
+}
+
 TEST_F(Selecting, ARectangleTakesWhatItsMiddleIsSeenIn) {
     settings.choose(ToolKind::selectRectangle);
     const glm::dvec2 a(211.3, 150.7), b(402.1, 333.9);
@@ -188,6 +219,34 @@ TEST_F(Selecting, TheWandTakesWhatTouchesAndHasTheColour) {
     EXPECT_FALSE(selectColour(session, 200));
 }
 
+TEST_F(Selecting, TheWandShowsWhatAClickWouldTake) {
+    settings.choose(ToolKind::wand);
+    settings.options.sameColour = true;
+    // A floor of more blocks than the pointer waits for.
+    attachBox({{-184, -184, -13}, {184, 184, -12}}, 6);
+    const auto shownBox = [&] { return dynamic_cast<const WandTool&>(*tools.tool()).shownBox(); };
+    IBox tower{{-2, -2, 0}, {3, 4, 5}};
+    for (const glm::ivec3 voxel : {glm::ivec3(0, 0, 4), glm::ivec3(2, 3, 4)}) {
+        moveTo(faceOf(voxel));
+        EXPECT_EQ(shownBox(), tower);
+    }
+    moveTo(faceOf({-8, -8, -1}));
+    EXPECT_NE(shownBox(), tower);
+    EXPECT_FALSE(shownBox().empty());
+    moveTo(faceOf({0, 0, 4}));
+    EXPECT_EQ(shownBox(), tower);
+    // What has changed is looked at again.
+    attachBox({{3, 0, 4}, {4, 1, 5}}, 7);
+    tower.max.x = 4;
+    moveTo(faceOf({0, 0, 4}));
+    EXPECT_EQ(shownBox(), tower);
+
+    moveTo(faceOf({16, -16, -13}));
+    EXPECT_TRUE(shownBox().empty());
+    click(faceOf({16, -16, -13}));
+    EXPECT_EQ(session.selection().voxels(), VoxelSet(IBox{{-184, -184, -13}, {184, 184, -12}}));
+}
+
 TEST_F(Selecting, DraggedVoxelsFloatUntilTheyArePutDown) {
     selectOnly(isTower);
     settings.choose(ToolKind::move);
@@ -199,6 +258,7 @@ TEST_F(Selecting, DraggedVoxelsFloatUntilTheyArePutDown) {
     EXPECT_EQ(cellsOf(shown()), after);
     EXPECT_EQ(cellsOf(made()), start);
     tools.cancel(session);
+    EXPECT_FALSE(tools.busy()) << "an undo that follows at once takes back a step";
     moveTo({3, 3});
     EXPECT_EQ(cellsOf(shown()), start);
     EXPECT_EQ(selected(), those(isTower));
@@ -451,6 +511,32 @@ TEST_F(Selecting, LockedAndHiddenObjectsStayAsTheyAre) {
     moveTo(faceOf({0, 0, 4}));
     press();
     EXPECT_NE(refusal, "");
+}
+
+// Models stay in the document; what nothing shows cannot be selected.
+TEST_F(Selecting, GoesWithTheModelAndComesBackWithIt) {
+    const int object = session.activeNode();
+    ASSERT_TRUE(
+        session.perform(test::must(addFrame(session.document(), object, 0, NewFrame::copy))));
+    ASSERT_TRUE(session.setFrame(1));
+    ASSERT_TRUE(selectEverything(session));
+    const int model = session.selection().model();
+    ASSERT_NE(model, 0);
+    ASSERT_TRUE(session.perform(test::must(deleteFrame(session.document(), 1))));
+    EXPECT_TRUE(session.selection().empty());
+    EXPECT_TRUE(chosenVoxels(session));
+    ASSERT_TRUE(session.undo());
+    EXPECT_EQ(session.selection().model(), model);
+    EXPECT_FALSE(session.selection().empty());
+    ASSERT_TRUE(session.redo());
+
+    const int copy = static_cast<int>(session.document().nodes.size());
+    ASSERT_TRUE(session.perform(duplicateNode(session.document(), object, Copy::linked)));
+    session.setActiveNode(copy);
+    ASSERT_TRUE(selectEverything(session));
+    ASSERT_EQ(session.selection().node(), copy);
+    ASSERT_TRUE(session.perform(makeSingleUser(session.document(), copy)));
+    EXPECT_TRUE(session.selection().empty());
 }
 
 // Whatever is done with the document, what is selected is solid.

@@ -274,6 +274,29 @@ TEST_F(EditorGizmo, AnotherKindEndsTheDrag) {
     }
 }
 
+// Not even one that lies between the steps of a drag, or beyond its range.
+TEST_F(EditorGizmo, AClickOnAHandleChangesNothing) {
+    target.entity.yawDegrees = 22.5;
+    target.entity.pitchDegrees = 35.264;
+    target.entity.rollDegrees = 10.5;
+    target.entity.scale = 0.005;
+    place();
+    const Entity before = target.entity;
+    const double angle = 290.0 * 3.141592653589793 / 180.0;
+    const auto click = [&](GizmoKind kind, glm::dvec2 px) {
+        target.kind = kind;
+        step(px, false, false, false);
+        step(px, true, true, false);
+        EXPECT_TRUE(gizmo.dragging());
+        step(px, false, true, false);
+        step(px, false, false, false);
+        EXPECT_EQ(target.entity, before);
+    };
+    click(GizmoKind::move, screen({0.8, 0, 0}));
+    click(GizmoKind::rotate, screen({std::cos(angle), 0.0, -std::sin(angle)}));
+    click(GizmoKind::scale, camera.project(proxyCorners(target.placed, 4.0)[7]).screenPx);
+}
+
 TEST_F(EditorGizmo, AHandThatLetGoUnseenDragsNoMore) {
     const Entity before = target.entity;
     const glm::dvec2 arrow = screen({0.8, 0, 0});

@@ -437,5 +437,19 @@ TEST_F(EditorInAWindow, SaysWhyItCannotStart) {
     EXPECT_NE(said().find("none.jsonl"), std::string::npos) << said();
 }
 
+TEST_F(EditorInAWindow, PickingAColourFromTheSpriteTakesHoldOfNoHandle) {
+    ASSERT_NO_FATAL_FAILURE(openBox());
+    ASSERT_NE(state().at("colour"), 5);
+    // The arrow that goes up from the anchor, before the box.
+    const glm::ivec2 arrow = centreOf("sprite.anchor") - glm::ivec2(0, 40);
+    keyDown("alt");
+    carry(arrow, arrow - glm::ivec2(0, 30));
+    keyUp("alt");
+    settleAt(centreOf("view.edit"));
+    EXPECT_EQ(state().at("colour"), 5);
+    EXPECT_EQ(state().at("steps"), 0);
+    EXPECT_FALSE(state().at("unsaved"));
+}
+
 }  // namespace
 }  // namespace voxprite::test

@@ -138,9 +138,8 @@ TEST_F(PaletteEditing, RecoloursAllVoxelsOfAColour) {
     const ColourCounts counts = editor.counts();
     std::uint8_t used = 1;
     while (counts[used] == 0) ++used;
-    editor.choose(200);
     ASSERT_EQ(counts[200], 0u);
-    perform(editor.recolourToHand(used));
+    perform(editor.recolour(used, 200));
     EXPECT_EQ(editor.counts()[200], counts[used]);
     EXPECT_EQ(editor.counts()[used], 0u);
     undoAll();
@@ -150,10 +149,9 @@ TEST_F(PaletteEditing, RecoloursAllVoxelsOfAColour) {
 TEST_F(PaletteEditing, CountsAreShownAsTheyBecomeKnown) {
     const ColourCounts first = editor.shownCounts(0.0);
     EXPECT_EQ(first, editor.counts());
-    editor.choose(200);
     std::uint8_t used = 1;
     while (first[used] == 0) ++used;
-    perform(editor.recolourToHand(used));
+    perform(editor.recolour(used, 200));
     // Long after, whatever the first counting cost.
     EXPECT_EQ(editor.shownCounts(3600.0)[200], first[used]);
 }

@@ -36,10 +36,9 @@ void CommandContext::perform(Action action, const std::function<void()>& afterwa
 void CommandContext::perform(EditQueue& edits) {
     for (EditQueue::Edit& edit : edits.take()) {
         // One long step at a time: the others come after it, but for those of the same drag.
-        const bool waits = files.blocks() || files.comesAfterDrag(edit.mergeKey);
-        // What is in the air belongs to where its object lies now.
-        if (!waits && edit.ofScene) static_cast<void>(settle());
-        if (waits || files.blocks()) {
+        const auto waits = [&] { return files.blocks() || files.comesAfterDrag(edit.mergeKey); };
+        if (!waits() && edit.settles) static_cast<void>(settle());
+        if (waits()) {
             edits.push(std::move(edit));
         } else {
             perform(edit.make(session.document()));
@@ -48,16 +47,18 @@ void CommandContext::perform(EditQueue& edits) {
 }
 
 bool CommandContext::settle() {
-    if (files.blocks()) return false;
+    // A step of a drag may be put in force at any time: no other one is made beside it.
+    const auto waits = [this] { return files.blocks() || files.drags(); };
+    if (waits()) return false;
     if (auto made = editView.tools().confirm(session)) perform(std::move(*made));
-    if (files.blocks()) return false;
+    if (waits()) return false;
     Result<std::optional<Action>> action = putDown(session);
     if (!action) {
         report(Failure(action.error()));
     } else if (*action) {
         perform(std::move(**action));
     }
-    return !files.blocks();
+    return !waits();
 }
 
 void CommandContext::undo() {

@@ -44,7 +44,7 @@ struct CommandContext {
     void undo();
     void redo();
     // What is in the air, or being made, comes down, as before every other edit. False while that
-    // goes on behind the window.
+    // goes on behind the window, or must wait for what does.
     [[nodiscard]] bool settle();
     // A failure becomes a message on screen.
     void report(const Status& status) const;

@@ -64,6 +64,14 @@ bool hasClip(const Document& document, int clip) {
     return clip < static_cast<int>(document.clips.size());
 }
 
+// The timeline lies at the window's lower edge, and the popup may grow while it is open.
+void growUpwards() {
+    const ImGuiViewport& window = *ImGui::GetMainViewport();
+    const ImVec2 corner = ImGui::GetWindowPos();
+    const float below = corner.y + ImGui::GetWindowHeight() - window.WorkPos.y - window.WorkSize.y;
+    if (below > 0) ImGui::SetWindowPos({corner.x, std::max(window.WorkPos.y, corner.y - below)});
+}
+
 }  // namespace
 
 void editClip(Ui& ui, int clip, Clip edited) {
@@ -106,6 +114,7 @@ void drawClipPopup(Ui& ui, int clip) {
         ImGui::CloseCurrentPopup();
     }
     ui.probe.markItem("clip.delete");
+    growUpwards();
     ImGui::EndPopup();
 }
 

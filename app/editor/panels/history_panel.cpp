@@ -34,10 +34,12 @@ void drawCount(Ui& ui, std::uint64_t voxels) {
 
 void askForStep(CommandQueue& commands, std::size_t position, std::size_t wanted) {
     // A long way goes on over many frames: what is left of one gives way to the next.
-    commands.forget(CommandId::undo);
-    commands.forget(CommandId::redo);
-    for (std::size_t at = position; at > wanted; --at) commands.ask(CommandId::undo);
-    for (std::size_t at = position; at < wanted; ++at) commands.ask(CommandId::redo);
+    using enum CommandId;
+    for (const CommandId id : {dropMade, undo, redo}) commands.forget(id);
+    // Else the first undo would be for what is only being made.
+    if (position > wanted) commands.ask(dropMade);
+    for (std::size_t at = position; at > wanted; --at) commands.ask(undo);
+    for (std::size_t at = position; at < wanted; ++at) commands.ask(redo);
 }
 
 void drawHistory(Ui& ui) {

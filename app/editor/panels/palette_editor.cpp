@@ -131,8 +131,8 @@ Action PaletteEditor::removeUnused() const {
     return change("Remove unused colours", withoutUnused(palette(), counts()));
 }
 
-Action PaletteEditor::recolourToHand(std::uint8_t from) const {
-    Action action = recolour(session_.document(), from, inHand());
+Action PaletteEditor::recolour(std::uint8_t from, std::uint8_t to) const {
+    Action action = voxprite::recolour(session_.document(), from, to);
     // Few are found here and now; many go beyond what a step holds, or take long.
     if (counts()[from] <= kLongStepVoxels && !makeParts(action, session_.document())) return {};
     return action;

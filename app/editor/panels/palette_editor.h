@@ -49,8 +49,8 @@ class PaletteEditor {
     [[nodiscard]] Action moveRampStep(std::size_t ramp, std::size_t from, std::size_t to,
                                       std::uint64_t mergeKey) const;
     [[nodiscard]] Action removeUnused() const;
-    // Voxels of `from` take the colour in hand, in all objects.
-    [[nodiscard]] Action recolourToHand(std::uint8_t from) const;
+    // Voxels of `from` take the colour `to`, in all objects.
+    [[nodiscard]] Action recolour(std::uint8_t from, std::uint8_t to) const;
     [[nodiscard]] bool canAddVariant() const {
         return palette().variants.size() < kMaxPaletteVariants;
     }

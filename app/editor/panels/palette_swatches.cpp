@@ -168,7 +168,11 @@ void PalettePanel::drawMenu(Ui& ui) {
         }
         const std::string recolour = "Recolour its " + voxels + " to " + std::to_string(hand);
         if (ImGui::MenuItem(recolour.c_str(), nullptr, false, count > 0 && hand != menuFor_)) {
-            ui.edits.push(editor_.recolourToHand(menuFor_));
+            // Of the voxels in the air, too, once they have come down.
+            ui.edits.push(EditQueue::Edit{
+                .make = [&editor = editor_, from = menuFor_,
+                         hand](const Document&) { return editor.recolour(from, hand); },
+                .settles = true});
         }
         ui.probe.markItem("palette.menu.recolour");
         if (ImGui::MenuItem("Swap with the one in hand", nullptr, false, hand != menuFor_)) {

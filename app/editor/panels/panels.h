@@ -9,7 +9,8 @@ void drawToolColumn(Ui& ui);
 void drawInspector(Ui& ui);
 void drawObjects(Ui& ui);
 void drawHistory(Ui& ui);
-// From the step `position` of the history to another, in place of where it was on the way to.
+// From the step `position` of the history to another, in place of where it was on the way to. What
+// is only being made is dropped.
 void askForStep(CommandQueue& commands, std::size_t position, std::size_t wanted);
 void drawScene(Ui& ui);
 void drawTrade(Ui& ui);

@@ -98,6 +98,8 @@ void rate(Ui& ui) {
         ImGui::DragInt("##duration", &duration, 1.0f, 1, kMaxFrameMilliseconds, "%d ms",
                        ImGuiSliderFlags_AlwaysClamp);
         ui.edits.watchItem(ui.session);
+        // A drag would edit every frame that an animation at play brings along.
+        if (ImGui::IsItemActivated()) ui.settings.view.playing = false;
         if (duration != before) editClip(ui, *chosen, edited);
         tooltip(ui, "How long this frame shows");
     } else {

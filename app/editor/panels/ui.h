@@ -28,7 +28,7 @@ class EditQueue {
     struct Edit {
         Make make;
         std::uint64_t mergeKey = 0;
-        bool ofScene = false;
+        bool settles = false;  // what is in the air, or being made, is put down first
     };
 
     // Call after every widget that can be dragged: a new drag starts a new step.
@@ -46,7 +46,8 @@ class EditQueue {
             mergeKey});
     }
     // An edit of the scene replaces all of it: made before its turn, it would take back what it
-    // waits for. `mergeKey` is its action's.
+    // waits for. And what is in the air belongs to where its object lies now. `mergeKey` is its
+    // action's.
     void pushScene(Make make, std::uint64_t mergeKey = 0) {
         push(Edit{std::move(make), mergeKey, true});
     }

@@ -126,6 +126,8 @@ void VoxelSelection::land(std::optional<VoxelSet> landed) {
 }
 
 void VoxelSelection::followNodes(const Changed& changed) {
+    if (changed.nodesAfter.empty()) return;
+    ++revision_;
     now_.node = changed.nodeNow(now_.node);
     if (floating_) floating_->node = changed.nodeNow(floating_->node);
 }
@@ -152,10 +154,11 @@ void VoxelSelection::wentTo(std::size_t from, std::size_t to, const Changed& cha
 }
 
 void VoxelSelection::follow(const Document& document, const Changed& changed) {
+    // In some frame: models stay when nothing shows them any more.
     const auto isThere = [&](int node, int model) {
-        return node >= 0 && static_cast<std::size_t>(node) < document.nodes.size() &&
-               static_cast<std::size_t>(model) < document.models.size() &&
-               !document.nodes[static_cast<std::size_t>(node)].isGroup();
+        if (node < 0 || static_cast<std::size_t>(node) >= document.nodes.size()) return false;
+        const std::vector<ModelKey>& shown = document.nodes[static_cast<std::size_t>(node)].models;
+        return std::ranges::find(shown, model, &ModelKey::model) != shown.end();
     };
     if (floating_ && !isThere(floating_->node, floating_->model)) setFloating(std::nullopt);
     if (empty()) return;

@@ -68,7 +68,8 @@ class VoxelSelection {
     // The object it was made in; means nothing while it is empty.
     [[nodiscard]] int node() const { return now_.node; }
     [[nodiscard]] int model() const { return now_.model; }
-    // Rises with every change of the selection and of what floats.
+    // Rises with every change of the selection and of what floats, and when nodes get other
+    // indices.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
     // Within another object than before there is nothing to add to or take from.
@@ -99,7 +100,8 @@ class VoxelSelection {
     void stepMade(std::size_t position, bool asANewStep, const Changed& changed);
     // The history went from one position to another.
     void wentTo(std::size_t from, std::size_t to, const Changed& changed);
-    // Drops what is no longer there.
+    // Drops what is no longer there: no longer solid, or of a model that its object shows in no
+    // frame.
     void follow(const Document& document, const Changed& changed);
     // Another document: nothing is selected.
     void forget();

@@ -20,8 +20,10 @@ Result<EditTarget> EditTarget::at(const Session& session, EditMode mode, const P
 }
 
 Result<EditTarget> EditTarget::of(const Session& session, int node) {
-    if (node < 0) return fail("There is no object to edit: add one first");
     const auto& nodes = session.document().nodes;
+    if (node < 0 || static_cast<std::size_t>(node) >= nodes.size()) {
+        return fail("There is no object to edit: add one first");
+    }
     for (int up = node; up >= 0; up = nodes[static_cast<std::size_t>(up)].parent) {
         if (nodes[static_cast<std::size_t>(up)].locked) {
             return fail(objectName(session.document(), up) + " is locked");

@@ -21,7 +21,7 @@ class EditTarget {
     [[nodiscard]] static Result<EditTarget> at(const Session& session, EditMode mode,
                                                const Pick& pick);
 
-    // The same for a certain object.
+    // The same for a certain object, which may be gone.
     [[nodiscard]] static Result<EditTarget> of(const Session& session, int node);
 
     [[nodiscard]] int node() const { return node_; }

@@ -4,12 +4,6 @@
 #include "core/edit/make_action.h"
 
 namespace voxprite::editor {
-namespace {
-
-// Of a region of more cubes of 8 than this nobody should wait for the end.
-constexpr std::size_t kQuickBlocks = 2'048;
-
-}  // namespace
 
 EditMode FillTool::modeOf(const ToolContext& context) const {
     const EditMode mode = context.mode();
@@ -83,9 +77,7 @@ ToolResult FillTool::update(const ToolContext& context) {
 
 bool FillTool::isStillOn(const Session& session, const Aim& aim) const {
     if (!shown_ || !aim_ || !aim_->pick || !aim.pick) return false;
-    Aim elsewhere = aim;
-    elsewhere.pick = aim_->pick;
-    if (elsewhere != *aim_) return false;
+    if (!aim_->differsInPickAlone(aim)) return false;
     const bool fillsEmpty = kind_ == Kind::plane && aim.mode == EditMode::attach;
     if (kind_ == Kind::plane && aim.pick->normal != aim_->pick->normal) return false;
     if (!fillsEmpty && session.nodeAt(aim.pick->voxel) != shown_->node) return false;
@@ -114,7 +106,8 @@ void FillTool::show(const ToolContext& context, ToolResult& result) {
                    std::make_shared<Found>(),
                    {},
                    false};
-    if (Result<VoxelSet> quick = shown_->region(target->voxels(context.session), kQuickBlocks)) {
+    if (Result<VoxelSet> quick =
+            shown_->region(target->voxels(context.session), kQuickRegionBlocks)) {
         shown_->isLarge = quick->count() > kLongStepVoxels;
         shown_->voxels->store(std::make_shared<const VoxelSet>(std::move(*quick)));
     } else {

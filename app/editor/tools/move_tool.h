@@ -17,7 +17,8 @@ class MoveTool final : public Tool {
     [[nodiscard]] ToolResult update(const ToolContext& context) override;
     void draw(const ToolContext& context, const ViewDrawing& drawing,
               const Theme& theme) const override;
-    [[nodiscard]] bool busy() const override { return floats_; }
+    // What was cancelled is gone, though that has not been looked at yet.
+    [[nodiscard]] bool busy() const override { return floats_ && seen_; }
     [[nodiscard]] std::optional<Action> confirm(Session& session) override;
     void cancel() override;
     [[nodiscard]] std::vector<ToolFigure> figures() const override;

@@ -16,8 +16,7 @@ ToolResult SelectBoxTool::update(const ToolContext& context) {
     ToolResult result;
     const ToolInput& input = context.input;
     VoxelSelection& selection = context.session.selection();
-    // Something else selected meanwhile: the box is history.
-    if (box_ && selection.revision() != box_->revision) box_.reset();
+    if (box_ && !holds(context.session)) box_.reset();
     hot_ = -1;
     // With Shift another box is meant, even where a handle is.
     if (box_ && box_->handle == kSettled && input.hovered && !input.shift) {
@@ -47,6 +46,14 @@ ToolResult SelectBoxTool::update(const ToolContext& context) {
         if (box_->selected != box_->box) select(context.session);
     }
     return result;
+}
+
+// Something else selected meanwhile, or the object gone or elsewhere: the box is history.
+bool SelectBoxTool::holds(const Session& session) const {
+    if (session.selection().revision() != box_->revision) return false;
+    const Result<EditTarget> target = EditTarget::of(session, box_->node);
+    return target && target->model() == box_->model &&
+           target->modelFromEntity() == box_->modelFromEntity;
 }
 
 void SelectBoxTool::begin(const ToolContext& context, ToolResult& result) {

@@ -70,6 +70,12 @@ VoxelSet inSight(const ToolContext& context, const EditTarget& target, const Rec
     return stillSolid(target.voxels(session), std::move(seen));
 }
 
+Result<VoxelSet> regionUnder(const ToolContext& context, const EditTarget& target,
+                             std::size_t maxBlocks) {
+    return connectedRegion(target.voxels(context.session), target.toModel(context.pick->voxel),
+                           context.settings.options.region(), maxBlocks);
+}
+
 }  // namespace
 
 ToolResult SelectRectangleTool::update(const ToolContext& context) {
@@ -122,35 +128,51 @@ ToolResult WandTool::update(const ToolContext& context) {
         if (mode == SelectMode::replace) selection.clear();
         return result;
     }
-    const Aim aim = context.aim();
-    if (!context.input.pressed && aim_ == aim) return result;
-    aim_ = aim;
-    regionBox_ = {};
-    if (!onVoxel) return result;
+    look(context);
+    if (!context.input.pressed) return result;
     const Result<EditTarget> target =
         EditTarget::at(context.session, EditMode::paint, *context.pick);
-    const Result<VoxelSet> region = target ? connectedRegion(target->voxels(context.session),
-                                                             target->toModel(context.pick->voxel),
-                                                             context.settings.options.region())
-                                           : Result<VoxelSet>(Failure(target.error()));
-    if (!region) {
-        if (context.input.pressed) result.refusal = region.error().message;
+    if (!target) {
+        result.refusal = target.error().message;
         return result;
     }
-    regionBox_ = target->modelFromEntity().inverse().applyToBox(region->bounds());
-    if (!context.input.pressed) return result;
+    Result<VoxelSet> region = regionUnder(context, *target, kMaxRegionBlocks);
+    if (!region) {
+        result.refusal = region.error().message;
+        return result;
+    }
     context.session.setActiveNode(target->node());
-    selection.select(target->node(), target->model(), *region, mode);
+    selection.select(target->node(), target->model(), std::move(*region), mode);
     return result;
+}
+
+bool WandTool::isStillOn(const Session& session, const Aim& aim) const {
+    if (!shown_ || !aim.pick || aim.pick->ground || !aim_->differsInPickAlone(aim)) return false;
+    return session.nodeAt(aim.pick->voxel) == shown_->node &&
+           shown_->voxels.contains(shown_->modelFromEntity.applyToVoxel(aim.pick->voxel));
+}
+
+void WandTool::look(const ToolContext& context) {
+    const Aim aim = context.aim();
+    if (aim_ == aim) return;
+    const bool same = isStillOn(context.session, aim);
+    aim_ = aim;
+    if (same) return;
+    shown_.reset();
+    if (!aim.pick || aim.pick->ground) return;
+    const Result<EditTarget> target = EditTarget::at(context.session, EditMode::paint, *aim.pick);
+    if (!target) return;
+    Result<VoxelSet> region = regionUnder(context, *target, kQuickRegionBlocks);
+    if (!region) return;
+    const IBox box = target->modelFromEntity().inverse().applyToBox(region->bounds());
+    shown_ = Shown{target->node(), target->modelFromEntity(), std::move(*region), box};
 }
 
 void WandTool::draw(const ToolContext& context, const ViewDrawing& drawing,
                     const Theme& theme) const {
     if (!context.pick || context.pick->ground) return;
     markFace(drawing, theme, *context.pick, EditMode::paint);
-    if (!regionBox_.empty()) {
-        drawing.box(regionBox_, withAlpha(theme.accent, 0.8f), theme.px(1.5f));
-    }
+    if (shown_) drawing.box(shown_->box, withAlpha(theme.accent, 0.8f), theme.px(1.5f));
 }
 
 }  // namespace voxprite::editor

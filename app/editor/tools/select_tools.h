@@ -11,7 +11,7 @@ namespace voxprite::editor {
 [[nodiscard]] SelectMode selectModeOf(const ToolInput& input);
 
 // Dragged from one voxel to another, then resized by its handles or figures until something else
-// is selected.
+// is selected or the object lies elsewhere.
 class SelectBoxTool final : public Tool {
   public:
     [[nodiscard]] ToolResult update(const ToolContext& context) override;
@@ -38,6 +38,7 @@ class SelectBoxTool final : public Tool {
         IBox selected;               // the box that has been selected
         std::uint64_t revision = 0;  // of the selection that it made
     };
+    [[nodiscard]] bool holds(const Session& session) const;
     void begin(const ToolContext& context, ToolResult& result);
     void dragHandle(const ToolContext& context);
     void select(Session& session);
@@ -70,9 +71,25 @@ class WandTool final : public Tool {
     void draw(const ToolContext& context, const ViewDrawing& drawing,
               const Theme& theme) const override;
 
+    // Around what a click would take, entity space; empty where there is nothing, and where it is
+    // so much that the pointer would have to wait for it.
+    [[nodiscard]] IBox shownBox() const { return shown_ ? shown_->box : IBox{}; }
+
   private:
+    // Is the pointer on another voxel of the region that is shown, and nothing else new?
+    [[nodiscard]] bool isStillOn(const Session& session, const Aim& aim) const;
+    void look(const ToolContext& context);
+
+    // The region under the pointer.
+    struct Shown {
+        int node = -1;
+        Placement modelFromEntity;
+        VoxelSet voxels;  // model space
+        IBox box;         // around them, entity space
+    };
+
     std::optional<Aim> aim_;
-    IBox regionBox_;  // under the pointer, entity space
+    std::optional<Shown> shown_;
 };
 
 }  // namespace voxprite::editor

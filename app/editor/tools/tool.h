@@ -47,6 +47,11 @@ struct Aim {
     std::uint64_t revision = 0;   // of the session
     std::uint64_t selection = 0;  // of what is selected
     bool operator==(const Aim&) const = default;
+    // Nothing else has changed than where the pointer is.
+    [[nodiscard]] bool differsInPickAlone(Aim other) const {
+        other.pick = pick;
+        return other == *this;
+    }
 };
 
 struct ToolContext {

@@ -206,7 +206,7 @@ std::optional<Entity> Gizmo::update(const GizmoTarget& target, const Camera& cam
         }
         if (!input.pressed || hovered_ < 0) return std::nullopt;
         Drag drag{target.kind,   hovered_, input.pointerPx, target.entity,
-                  target.placed, 0.0,      origin};
+                  target.placed, 0.0,      origin,          false};
         if (target.kind == GizmoKind::rotate) {
             drag.startAngle =
                 angleUnder(camera, drag.pressPx, origin, turnAxis(target.entity, drag.handle));
@@ -220,10 +220,15 @@ std::optional<Entity> Gizmo::update(const GizmoTarget& target, const Camera& cam
         return std::nullopt;
     }
     std::optional<Entity> result;
-    Entity entity = target.kind == GizmoKind::move ? moved(target, camera, input.pointerPx, snap)
-                    : target.kind == GizmoKind::rotate ? turned(camera, input.pointerPx, snap)
-                                                       : scaled(camera, input.pointerPx, snap);
-    if (entity != target.entity) result = entity;
+    // A click must not round the entity to the steps of a drag.
+    drag_->left = drag_->left || input.pointerPx != drag_->pressPx;
+    if (drag_->left) {
+        const glm::dvec2 px = input.pointerPx;
+        const Entity entity = target.kind == GizmoKind::move     ? moved(target, camera, px, snap)
+                              : target.kind == GizmoKind::rotate ? turned(camera, px, snap)
+                                                                 : scaled(camera, px, snap);
+        if (entity != target.entity) result = entity;
+    }
     if (!input.held) drag_.reset();
     return result;
 }

@@ -22,8 +22,8 @@ struct GizmoTarget {
 
 class Gizmo {
   public:
-    // The entity that the drag makes, when it changed. Holding Ctrl snaps: to voxels, 15 degrees,
-    // tenths.
+    // The entity that the drag makes, when it changed; a click on a handle makes none. Holding Ctrl
+    // snaps: to voxels, 15 degrees, tenths.
     [[nodiscard]] std::optional<Entity> update(const GizmoTarget& target, const Camera& camera,
                                                const ViewInput& input, float uiScale, bool snap);
     void draw(const GizmoTarget& target, const Camera& camera, const ViewDrawing& drawing,
@@ -41,6 +41,7 @@ class Gizmo {
         PlacedEntity placedBefore;
         double startAngle = 0.0;
         glm::dvec3 start{0.0};  // world point under the press, on the handle's axis or plane
+        bool left = false;      // the pointer has left the place of the press
     };
     [[nodiscard]] Entity moved(const GizmoTarget& target, const Camera& camera, glm::dvec2 px,
                                bool snap) const;

@@ -28,7 +28,8 @@ std::vector<std::uint64_t> sourceOf(const Session& session, int frame, const IBo
 }  // namespace
 
 Status OnionSkin::show(const Session& session, int frame, Skin& skin) {
-    const IBox bounds = session.shownBounds();
+    // What the pointer only shows changes no other frame.
+    const IBox& bounds = session.bounds();
     std::vector<std::uint64_t> source = sourceOf(session, frame, bounds);
     if (source == skin.source) return {};
     const Result<Octree> octree = bake(flatten(session.document(), frame), bounds);

@@ -15,9 +15,10 @@ class OnionSkin {
         const GpuOctree* octree;
         Rgba8 tint;
     };
-    // Brought up to date with the session where a frame shows something else than before; empty
-    // when it is switched off, or there is but one frame. Needs the window's GL context. Fails when
-    // a frame is too large for an octree.
+    // Octrees of the document's own bounds, which a preview leaves as they are; brought up to date
+    // with the session where a frame shows something else than before. Empty when it is switched
+    // off, or there is but one frame. Needs the window's GL context. Fails when a frame is too
+    // large for an octree.
     [[nodiscard]] Result<std::vector<Ghost>> ghosts(const Session& session, bool on);
 
   private:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 namespace voxprite::editor {
 namespace {
@@ -60,6 +61,18 @@ void OrbitCamera::zoom(double notches, glm::dvec2 pointerPx, glm::ivec2 viewport
                                           now.metresPerScreenPx(distance);
     target = under + (target - under) * factor;
     distance *= factor;
+}
+
+void OrbitCamera::lookLike(const OrbitCamera& other, const PlacedEntity& there,
+                           const PlacedEntity& here) {
+    const double unit = here.metresPerVoxel() / there.metresPerVoxel();
+    const glm::dvec3 fromCentre =
+        glm::transpose(there.worldFromVoxelAxes) * (other.target - there.centreMetres());
+    target = here.centreMetres() + here.worldFromVoxelAxes * fromCentre * unit;
+    yawDegrees = other.yawDegrees;
+    pitchDegrees = other.pitchDegrees;
+    distance = other.distance * unit;
+    orthographic = other.orthographic;
 }
 
 void OrbitCamera::frame(std::span<const glm::dvec3> points, double air, glm::ivec2 viewportPx) {

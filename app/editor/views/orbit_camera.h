@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/sprite/camera.h"
+#include "core/sprite/placed_entity.h"
 
 namespace voxprite::editor {
 
@@ -28,6 +29,9 @@ struct OrbitCamera {
     void lookFrom(glm::dvec3 toward);
     // Positive notches come nearer. What lies under the pointer at the target's depth stays there.
     void zoom(double notches, glm::dvec2 pointerPx, glm::ivec2 viewportPx);
+    // Looks at an entity that stands `here` as `other` does at the same one `there`: at the same
+    // voxel, from the same direction, as large, with perspective or without.
+    void lookLike(const OrbitCamera& other, const PlacedEntity& there, const PlacedEntity& here);
     // What the points enclose fills the view, but for a share of air; the direction stays.
     void frame(std::span<const glm::dvec3> points, double air, glm::ivec2 viewportPx);
 };

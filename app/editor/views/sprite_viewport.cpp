@@ -161,6 +161,7 @@ void SpriteViewport::showAlone(Ui& ui, ViewInput& input) {
         const std::uint8_t colour =
             colourUnder(ui.session, before, history(ui.settings.scene), input.pointerPx);
         if (colour != 0) ui.settings.tool.colour = colour;
+        input.pressed = false;  // picking takes hold of no handle
     }
     useGizmo(ui, input, before);
     if (input.held && !gizmo_.dragging()) {

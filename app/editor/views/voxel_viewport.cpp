@@ -188,7 +188,7 @@ bool VoxelViewport::render(const Session& session, const GpuOctree& octree,
     clusters_->endFrame();
     for (const OnionSkin::Ghost& ghost : ghosts_) {
         view_.drawGhost(canvas_.frame(), *ghost.octree, session.shownPalette(),
-                        session.placedForEditing(), camera, look, ghost.tint);
+                        Session::placedForEditing(session.bounds()), camera, look, ghost.tint);
     }
     selection_->draw(view_, canvas_.frame(), camera, scale_);
     OverlayShapes shapes = guidesOf(guides, wanted.bounds, scale_);

@@ -125,6 +125,28 @@ TEST(FrameEdits, ClipsHaveNamesOfTheirOwnAndADurationAFrame) {
     EXPECT_EQ(document.clips[2].name, "Clip 2");
 }
 
+TEST(FrameEdits, AFrameKeepsItsLengthWhereTheClipBeginsElsewhere) {
+    Document document = test::busyDocument();
+    document.clips = {Clip{"a", 1, 3, 8.0, true, {100, 200, 300}}};
+    const auto beginAt = [&](int first) {
+        Clip clip = document.clips[0];
+        clip.first = first;
+        document = after(document, setClip(document, 0, clip, 0));
+        return document.clips[0].durationsMilliseconds;
+    };
+    EXPECT_THAT(beginAt(2), ElementsAre(200, 300));
+    EXPECT_THAT(beginAt(0), ElementsAre(200, 200, 200, 300));
+    EXPECT_THAT(beginAt(3), ElementsAre(300));
+    // Beyond all that it had.
+    Clip clip{"a", 4, 4, 8.0, true, document.clips[0].durationsMilliseconds};
+    document = after(document, setClip(document, 0, clip, 0));
+    EXPECT_EQ(document.clips[0], clip);
+    // Lengths that come with it are its own.
+    clip = {"a", 1, 2, 8.0, true, {7, 8}};
+    document = after(document, setClip(document, 0, clip, 0));
+    EXPECT_EQ(document.clips[0], clip);
+}
+
 TEST(SocketEdits, MoveInOneFrameOrInAll) {
     Document document = test::busyDocument();
     document.sockets.clear();
