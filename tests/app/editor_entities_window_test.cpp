@@ -202,6 +202,8 @@ TEST_F(EntitiesInAWindow, FilesAreDroppedOnTheWindow) {
 
     // What cannot be read is told, and what is there stays, with its changes.
     std::ofstream(file("broken.vox")) << "no such thing";
+    await("the model under the pointer",
+          [](const Json& now) { return now.at("state").contains("hovered"); });
     click(middle);
     await("an edit", [](const Json& now) { return now.at("state").at("unsaved") == true; });
     const auto edited = state().at("voxels").get<std::size_t>();
