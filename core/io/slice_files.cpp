@@ -22,7 +22,7 @@ fs::path folderOf(const fs::path& path) {
 
 struct Series {
     std::map<int, fs::path> files;  // by number
-    Status numbersDiffer{};
+    Status numbersDiffer{};         // fails where two of the pictures have one number
 };
 
 // The numbered pictures of a folder, by what their names begin with.
